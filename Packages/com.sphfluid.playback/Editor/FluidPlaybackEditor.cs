@@ -8,10 +8,11 @@ namespace SphFluid.Editor
     [CustomEditor(typeof(FluidPlayback)), CanEditMultipleObjects]
     public sealed class FluidPlaybackEditor : UnityEditor.Editor
     {
-        FluidPlayback Shown => (FluidPlayback)target;
+        private FluidPlayback Shown => (FluidPlayback)target;
 
         /// <inheritdoc/>
-        public override bool RequiresConstantRepaint() => Application.isPlaying && !serializedObject.isEditingMultipleObjects && Shown.isActiveAndEnabled;
+        public override bool RequiresConstantRepaint() => Application.isPlaying && !serializedObject.isEditingMultipleObjects &&
+            Shown.isActiveAndEnabled;
 
         /// <inheritdoc/>
         public override void OnInspectorGUI()
@@ -35,24 +36,27 @@ namespace SphFluid.Editor
         /// <param name="streamingAssets">That of StreamingAssets.</param>
         internal static string Shortened(string chosen, string streamingAssets)
         {
-            string full = Path.GetFullPath(chosen), root = Path.GetFullPath(streamingAssets).TrimEnd(Path.DirectorySeparatorChar) + Path.DirectorySeparatorChar;
-            return (full.StartsWith(root, System.StringComparison.Ordinal) ? full.Substring(root.Length) : full).Replace(Path.DirectorySeparatorChar, '/');
+            string full = Path.GetFullPath(chosen), root = Path.GetFullPath(streamingAssets).TrimEnd(Path.DirectorySeparatorChar) +
+                Path.DirectorySeparatorChar;
+            return (full.StartsWith(root, System.StringComparison.Ordinal) ? full.Substring(root.Length)
+                : full).Replace(Path.DirectorySeparatorChar, '/');
         }
 
-        static void Choose(SerializedProperty folder)
+        private static void Choose(SerializedProperty folder)
         {
             string chosen = EditorUtility.OpenFolderPanel("Folder of a sequence", SequenceFolder.FullPath(folder.stringValue), "");
             if (!string.IsNullOrEmpty(chosen)) folder.stringValue = Shortened(chosen, Application.streamingAssetsPath);
         }
 
-        void DrawState()
+        private void DrawState()
         {
             FluidPlayback playback = Shown;
             EditorGUILayout.Space();
             EditorGUI.BeginChangeCheck();
             float time = EditorGUILayout.Slider("Go to", playback.Time, 0f, playback.Duration);
             if (EditorGUI.EndChangeCheck()) playback.Seek(time);
-            EditorGUILayout.LabelField("Frame", $"{playback.CurrentFrame} of {playback.FrameCount}{(playback.IsBuffering ? ", reading" : "")}");
+            EditorGUILayout.LabelField("Frame",
+                $"{playback.CurrentFrame} of {playback.FrameCount}{(playback.IsBuffering ? ", reading" : "")}");
             if (playback.Source.Length > 0) EditorGUILayout.LabelField("Made by", playback.Source);
             EditorGUILayout.LabelField("Memory", $"{playback.MemoryBytes / 1048576.0:0.0} MiB");
             if (playback.LeftOutParticles > 0) EditorGUILayout.LabelField("Left out", $"{playback.LeftOutParticles} particles");

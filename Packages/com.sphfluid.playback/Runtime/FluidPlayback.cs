@@ -6,8 +6,9 @@ using UnityTime = UnityEngine.Time;
 namespace SphFluid
 {
     /// <summary>
-    /// Plays a liquid from particle files on the simulation on the same GameObject, in the place of its steps and volumes: with the same surface, water, whitewater, queries
-    /// and instruments. Frames are read ahead on a thread of their own. Disabled, or where the files cannot be played, the simulation simulates.
+    /// Plays a liquid from particle files on the simulation on the same GameObject, in the place of its steps and volumes: with the same
+    /// surface, water, whitewater, queries and instruments. Frames are read ahead on a thread of their own. Disabled, or where the files
+    /// cannot be played, the simulation simulates.
     /// </summary>
     [AddComponentMenu("SPH Fluid/Fluid Playback")]
     [RequireComponent(typeof(FluidSimulation))]
@@ -17,52 +18,70 @@ namespace SphFluid
     public sealed class FluidPlayback : MonoBehaviour, IFluidPlaybackSource
     {
         // Forwards by more than this [s], or by more than so many frames of the scene, is no play but a jump.
-        const double LongestStep = 0.1, MostFrames = 3.0;
+        private const double LongestStep = 0.1, MostFrames = 3.0;
 
-        [SerializeField, Delayed, Tooltip("Folder of the particle files, absolute or from StreamingAssets: one with sequence.json, or with .ply files that are played in the order of their names.")]
-        string folder = "";
+        [SerializeField, Delayed,
+            Tooltip(
+                "Folder of the particle files, absolute or from StreamingAssets: one with sequence.json, or with .ply files that are " +
+                "played in the order of their names.")]
+        private string folder = "";
 
-        [SerializeField, Tooltip("Time since the first frame in seconds. Past the end Loop decides. May be keyed by an animation, with Clock set to Manual; a Fluid Playback Clip of a Timeline sets it too.")]
-        float time;
+        [SerializeField,
+            Tooltip(
+                "Time since the first frame in seconds. Past the end Loop decides. May be keyed by an animation, with Clock set to " +
+                "Manual; a Fluid Playback Clip of a Timeline sets it too.")]
+        private float time;
 
         [SerializeField, Tooltip("Scene Time: Time goes on by itself. Manual: an animation, a Timeline or a script sets it.")]
-        FluidPlaybackClock clock = FluidPlaybackClock.SceneTime;
+        private FluidPlaybackClock clock = FluidPlaybackClock.SceneTime;
 
-        [SerializeField, Tooltip("Time of the sequence over the scene's time, with Scene Time: 1 as it was made, 0.5 half as fast, −1 backwards. The simulation's Time Scale acts besides.")]
-        float speed = 1f;
+        [SerializeField,
+            Tooltip(
+                "Time of the sequence over the scene's time, with Scene Time: 1 as it was made, 0.5 half as fast, −1 backwards. The " +
+                "simulation's Time Scale acts besides.")]
+        private float speed = 1f;
 
         [SerializeField, Tooltip("What happens past the ends of the sequence.")]
-        FluidPlaybackLoop loop = FluidPlaybackLoop.None;
+        private FluidPlaybackLoop loop = FluidPlaybackLoop.None;
 
-        [SerializeField, Tooltip("Whether particles are shown between frames too, found again by their ids and led by their velocities. Off: the nearer frame is shown.")]
-        bool interpolate = true;
+        [SerializeField,
+            Tooltip(
+                "Whether particles are shown between frames too, found again by their ids and led by their velocities. Off: the nearer " +
+                "frame is shown.")]
+        private bool interpolate = true;
 
         [SerializeField, Min(1), Tooltip("Memory for frames that are read ahead, in MiB; two frames at least must fit.")]
-        int memoryBudget = 256;
+        private int memoryBudget = 256;
 
-        [SerializeField, Tooltip("Wait for frames that are not read yet. Off: the last one stays until they are. Frames are always waited for where Time.captureDeltaTime is set.")]
-        bool waitForFrames;
+        [SerializeField,
+            Tooltip(
+                "Wait for frames that are not read yet. Off: the last one stays until they are. Frames are always waited for where " +
+                "Time.captureDeltaTime is set.")]
+        private bool waitForFrames;
 
-        [SerializeField, Tooltip("Where no camera sees the domain nothing is read or shown, and time goes on. Off where scripts or instruments need the liquid all the time.")]
-        bool cullUnseen;
+        [SerializeField,
+            Tooltip(
+                "Where no camera sees the domain nothing is read or shown, and time goes on. Off where scripts or instruments need the " +
+                "liquid all the time.")]
+        private bool cullUnseen;
 
         [Header("Folders without sequence.json")]
         [SerializeField, Min(0f), Tooltip("Frames a second.")]
-        float frameRate = 30f;
+        private float frameRate = 30f;
 
         [SerializeField, Tooltip("Which way the axes of the files point.")]
-        FluidSequenceAxes axes = FluidSequenceAxes.AsUnity;
+        private FluidSequenceAxes axes = FluidSequenceAxes.AsUnity;
 
         [SerializeField, Min(0f), Tooltip("Metres of a unit of length in the files.")]
-        float scale = 1f;
+        private float scale = 1f;
 
-        FluidSimulation simulation;
-        SequencePlayer player;
-        PlaybackOptions opened;
-        (PlaybackOptions options, DateTime written, SequencePlan plan) preview;
-        double playhead, before, takenRate;
-        int direction = 1, takers;
-        bool isOpened, isPaused, seeks, stays, wasUnseen;
+        private FluidSimulation simulation;
+        private SequencePlayer player;
+        private PlaybackOptions opened;
+        private (PlaybackOptions options, DateTime written, SequencePlan plan) preview;
+        private double playhead, before, takenRate;
+        private int direction = 1, takers;
+        private bool isOpened, isPaused, seeks, stays, wasUnseen;
 
         /// <summary>Raised when a sequence that is not looped has come to its end, or backwards to its beginning.</summary>
         public event Action<FluidPlayback> Ended;
@@ -70,10 +89,16 @@ namespace SphFluid
         /// <summary>Folder of the particle files, absolute or from StreamingAssets. Another one is opened in the next LateUpdate.</summary>
         public string Folder { get => folder; set => folder = value ?? ""; }
 
-        /// <summary>Time since the first frame [s]; past the end <see cref="Loop"/> decides. Shown in the next LateUpdate, or held back until its frames are read; what is not finite counts for nothing there.</summary>
+        /// <summary>
+        /// Time since the first frame [s]; past the end <see cref="Loop"/> decides. Shown in the next LateUpdate, or held back until its
+        /// frames are read; what is not finite counts for nothing there.
+        /// </summary>
         public float Time { get => Limits.Finite(time); set => time = value; }
 
-        /// <summary>Whether <see cref="Time"/> goes on by itself. Manual while a <see cref="FluidPlaybackClip"/> plays, and afterwards what it was set to.</summary>
+        /// <summary>
+        /// Whether <see cref="Time"/> goes on by itself. Manual while a <see cref="FluidPlaybackClip"/> plays, and afterwards what it was
+        /// set to.
+        /// </summary>
         public FluidPlaybackClock Clock { get => IsClockTaken ? FluidPlaybackClock.Manual : Limits.Known(clock); set => clock = value; }
 
         /// <summary>Time of the sequence over the scene's; negative: backwards. Not a number counts as 0: it stands still.</summary>
@@ -146,10 +171,12 @@ namespace SphFluid
         /// <summary>Whether a clip of a Timeline sets the time.</summary>
         internal bool IsClockTaken => takers > 0;
 
-        /// <summary>Time from the first frame to the last [s], in the Editor that of the folder when it was last looked at; 0 while it is not known.</summary>
+        /// <summary>
+        /// Time from the first frame to the last [s], in the Editor that of the folder when it was last looked at; 0 while it is not known.
+        /// </summary>
         internal double KnownDuration => (player?.Sequence ?? preview.plan?.Sequence)?.Duration ?? 0.0;
 
-        PlaybackOptions Options => new PlaybackOptions
+        private PlaybackOptions Options => new PlaybackOptions
         {
             Folder = folder,
             FrameRate = frameRate,
@@ -174,18 +201,29 @@ namespace SphFluid
         /// <exception cref="ArgumentOutOfRangeException">It is not finite.</exception>
         public void Seek(float to)
         {
-            if (!AffineMath.IsFinite(to)) throw new ArgumentOutOfRangeException(nameof(to), to, "The time must be a finite number of seconds.");
+            if (!AffineMath.IsFinite(to))
+            {
+                throw new ArgumentOutOfRangeException(nameof(to), to, "The time must be a finite number of seconds.");
+            }
             time = to;
             playhead = to;
             seeks = stays = true;
         }
 
-        /// <summary>Opens the folder now, again if it is open: for files that were changed or mended, and to know at once whether they can be played.</summary>
+        /// <summary>
+        /// Opens the folder now, again if it is open: for files that were changed or mended, and to know at once whether they can be
+        /// played.
+        /// </summary>
         /// <returns>Whether they can; if not, <see cref="Problem"/> says why.</returns>
-        /// <exception cref="InvalidOperationException">The component or its object is disabled, or nothing is played because the game is not.</exception>
+        /// <exception cref="InvalidOperationException">The component or its object is disabled, or nothing is played because the game is
+        /// not.</exception>
         public bool Reload()
         {
-            if (!isActiveAndEnabled || !Application.isPlaying) throw new InvalidOperationException($"'{name}' is disabled or not played, so no folder is opened. Enable it in play mode first.");
+            if (!isActiveAndEnabled || !Application.isPlaying)
+            {
+                throw new InvalidOperationException(
+                    $"'{name}' is disabled or not played, so no folder is opened. Enable it in play mode first.");
+            }
             return TryOpen();
         }
 
@@ -205,9 +243,9 @@ namespace SphFluid
             takenRate = rate;
         }
 
-        void OnDisable() => Close();
+        private void OnDisable() => Close();
 
-        void LateUpdate()
+        private void LateUpdate()
         {
             if ((!isOpened || !opened.Equals(Options)) && !TryOpen()) Problem?.Log();
             if (player == null) return;
@@ -218,7 +256,7 @@ namespace SphFluid
             if (!isUnseen) Show();
         }
 
-        bool TryOpen()
+        private bool TryOpen()
         {
             Close();
             TryGetComponent(out simulation);
@@ -230,31 +268,36 @@ namespace SphFluid
             return plan != null;
         }
 
-        void Close()
+        private void Close()
         {
             player?.Dispose();
             player = null;
             isOpened = false;
         }
 
-        // What was opened or sought is shown before time goes on. A double goes on where a float would lose the last digits of each frame's time.
-        void Advance()
+        // What was opened or sought is shown before time goes on. A double goes on where a float would lose the last digits of each frame's
+        // time.
+        private void Advance()
         {
             if (!AffineMath.IsFinite(time)) time = (float)playhead;
             if ((float)playhead != time) playhead = time;
             bool stayed = stays;
             stays = false;
-            if (stayed || !IsPlaying || simulation.Paused || !(simulation.TimeScale >= 0f && simulation.TimeScale <= float.MaxValue)) return;
+            if (stayed || !IsPlaying || simulation.Paused || !(simulation.TimeScale >= 0f && simulation.TimeScale <= float.MaxValue))
+            {
+                return;
+            }
             playhead += (double)UnityTime.deltaTime * simulation.TimeScale * Speed;
             playhead = PlaybackTime.Wrap(playhead, player.Sequence.Duration, Loop);
             time = (float)playhead;
             if (IsAtEnd) Ended?.Invoke(this);
         }
 
-        void Show()
+        private void Show()
         {
             double rate = IsClockTaken ? takenRate : Speed;
-            double duration = player.Sequence.Duration, wrapped = PlaybackTime.Wrap(playhead, duration, Loop), now = PlaybackTime.Fold(playhead, duration, Loop);
+            double duration = player.Sequence.Duration, wrapped = PlaybackTime.Wrap(playhead, duration, Loop),
+                now = PlaybackTime.Fold(playhead, duration, Loop);
             if (Clock == FluidPlaybackClock.SceneTime) direction = Speed < 0f == wrapped > duration ? 1 : -1;
             else if (now != before) direction = now > before ? 1 : -1;
             bool isJump = seeks || now < before || now - before > Math.Max(LongestStep, MostFrames * UnityTime.deltaTime * Math.Abs(rate));
@@ -263,12 +306,15 @@ namespace SphFluid
             seeks = false;
         }
 
-        bool IsAtEnd => player != null && Loop == FluidPlaybackLoop.None && (Speed < 0f ? playhead <= 0.0 : playhead >= player.Sequence.Duration);
+        private bool IsAtEnd => player != null && Loop == FluidPlaybackLoop.None &&
+            (Speed < 0f ? playhead <= 0.0 : playhead >= player.Sequence.Duration);
 
-        bool IsSeen => LiquidViews.IsSeen(new DrawPlacement(simulation.LocalToWorld, simulation.DomainSize, simulation.Spacing, gameObject.layer, true));
+        private bool IsSeen =>
+            LiquidViews.IsSeen(new DrawPlacement(simulation.LocalToWorld, simulation.DomainSize, simulation.Spacing,
+                gameObject.layer, true));
 
         // For checks in the Editor; the folder is looked at again when something in it changed.
-        SequencePlan Preview()
+        private SequencePlan Preview()
         {
             DateTime written = WrittenAt();
             if (preview.options.Equals(Options) && preview.written == written) return preview.plan;
@@ -278,14 +324,15 @@ namespace SphFluid
             return plan;
         }
 
-        DateTime WrittenAt()
+        private DateTime WrittenAt()
         {
             try
             {
                 string full = SequenceFolder.FullPath(folder), manifest = Path.Combine(full, SequenceManifest.FileName);
                 return File.Exists(manifest) ? File.GetLastWriteTimeUtc(manifest) : Directory.GetLastWriteTimeUtc(full);
             }
-            catch (Exception exception) when (exception is ArgumentException || exception is IOException || exception is UnauthorizedAccessException || exception is NotSupportedException)
+            catch (Exception exception) when (exception is ArgumentException || exception is IOException ||
+                exception is UnauthorizedAccessException || exception is NotSupportedException)
             {
                 return default;
             }

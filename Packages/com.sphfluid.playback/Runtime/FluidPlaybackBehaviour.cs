@@ -5,9 +5,9 @@ namespace SphFluid
     /// <summary>A <see cref="FluidPlaybackClip"/> in a graph: has the clock of its playback from the clip's beginning to its end.</summary>
     internal sealed class FluidPlaybackBehaviour : PlayableBehaviour
     {
-        FluidPlaybackClip clip;
-        FluidPlayback playback;
-        bool hasClock;
+        private FluidPlaybackClip clip;
+        private FluidPlayback playback;
+        private bool hasClock;
 
         /// <summary>Says what it plays.</summary>
         /// <param name="clip">When.</param>
@@ -24,7 +24,10 @@ namespace SphFluid
         /// <summary>Sets the time. Not in ProcessFrame, which may pass by a clip that is blended in from nothing.</summary>
         public override void PrepareFrame(Playable playable, FrameData info) => Follow(playable, info);
 
-        /// <summary>At the clip's end shows the end, unless another clip has begun, and returns the clock. Where only the graph pauses, the liquid stands still.</summary>
+        /// <summary>
+        /// At the clip's end shows the end, unless another clip has begun, and returns the clock. Where only the graph pauses, the liquid
+        /// stands still.
+        /// </summary>
         public override void OnBehaviourPause(Playable playable, FrameData info)
         {
             if (!hasClock || info.effectivePlayState == PlayState.Playing) return;
@@ -35,21 +38,21 @@ namespace SphFluid
         /// <inheritdoc/>
         public override void OnPlayableDestroy(Playable playable) => ReturnClock();
 
-        void TakeClock()
+        private void TakeClock()
         {
             if (hasClock || playback == null) return;
             hasClock = true;
             playback.TakeClock();
         }
 
-        void ReturnClock()
+        private void ReturnClock()
         {
             if (!hasClock) return;
             hasClock = false;
             if (playback != null) playback.ReturnClock();
         }
 
-        void Follow(Playable playable, FrameData info)
+        private void Follow(Playable playable, FrameData info)
         {
             if (playback == null) return;
             double time = clip.TimeAt(playable.GetTime());

@@ -10,13 +10,13 @@ namespace SphFluid.Editor
     /// <summary>Window > SPH Fluid > Export to PySPH: the liquids of the open scenes as cases that run on many processors.</summary>
     public sealed class FluidExportWindow : EditorWindow
     {
-        const string Path = "Window/SPH Fluid/Export to PySPH";
+        private const string Path = "Window/SPH Fluid/Export to PySPH";
 
-        readonly List<string> lines = new List<string>();
-        string folder = "Build/export";
-        double seconds = 2.0, frameRate = 30.0;
-        int scheme, ranks = 2;
-        FluidExportRecorder recorder;
+        private readonly List<string> lines = new List<string>();
+        private string folder = "Build/export";
+        private double seconds = 2.0, frameRate = 30.0;
+        private int scheme, ranks = 2;
+        private FluidExportRecorder recorder;
 
         /// <summary>Opens the window.</summary>
         [MenuItem(Path, false, 3002)]
@@ -28,7 +28,7 @@ namespace SphFluid.Editor
         /// <summary>Where the cases go; several liquids each to a folder of its name in it.</summary>
         internal string Folder { get => folder; set => folder = value; }
 
-        void OnGUI()
+        private void OnGUI()
         {
             folder = EditorGUILayout.TextField("Folder", folder);
             seconds = EditorGUILayout.FloatField("Seconds", (float)seconds);
@@ -37,15 +37,16 @@ namespace SphFluid.Editor
             ranks = EditorGUILayout.IntField("Processes", ranks);
             EditorGUILayout.HelpBox(Application.isPlaying
                 ? "The liquids are exported as they are now, with the motion that colliders have from now on."
-                : "The liquids are exported as they start. Colliders stay where they are: export in play mode to record their motion.", MessageType.Info);
+                : "The liquids are exported as they start. Colliders stay where they are: export in play mode to record their motion.",
+                MessageType.Info);
             if (recorder != null) EditorGUILayout.LabelField($"Recording colliders: {100f * recorder.Progress:0} %");
             else if (GUILayout.Button("Export")) Export();
             if (lines.Count > 0) EditorGUILayout.HelpBox(string.Join("\n", lines), MessageType.None);
         }
 
-        void OnDisable() => recorder?.Dispose();
+        private void OnDisable() => recorder?.Dispose();
 
-        void OnInspectorUpdate()
+        private void OnInspectorUpdate()
         {
             if (recorder != null) Repaint();
         }
@@ -54,10 +55,14 @@ namespace SphFluid.Editor
         internal void Export()
         {
             lines.Clear();
-            var options = new FluidExportOptions { Seconds = seconds, FrameRate = frameRate, Scheme = (FluidExportScheme)scheme, Ranks = ranks };
+            var options =
+                new FluidExportOptions { Seconds = seconds, FrameRate = frameRate, Scheme = (FluidExportScheme)scheme, Ranks = ranks };
             FluidSimulation[] simulations = SceneObjects.All<FluidSimulation>().Where(s => s.isActiveAndEnabled).ToArray();
             Array.Sort(simulations, HierarchyOrder.Compare);
-            if (simulations.Length == 0) lines.Add("No Fluid Simulation is enabled in the open scenes. Add one: GameObject > Fluid > Tank.");
+            if (simulations.Length == 0)
+            {
+                lines.Add("No Fluid Simulation is enabled in the open scenes. Add one: GameObject > Fluid > Tank.");
+            }
             try
             {
                 if (Application.isPlaying && simulations.Length > 0)
@@ -75,7 +80,7 @@ namespace SphFluid.Editor
             }
         }
 
-        void Write(IReadOnlyList<FluidSimulation> simulations, IReadOnlyList<FluidExport> exports)
+        private void Write(IReadOnlyList<FluidSimulation> simulations, IReadOnlyList<FluidExport> exports)
         {
             recorder = null;
             string[] folders = FluidExport.FoldersOf(simulations, folder);
@@ -88,7 +93,10 @@ namespace SphFluid.Editor
                 {
                     string path = folders[i];
                     long bytes = export.Write(path);
-                    lines.Add(FormattableString.Invariant($"{export.ParticleCount} particles of liquid and {export.WallParticleCount} of walls, {bytes / 1e6:0.0} MB, in {path}."));
+                    lines
+                        .Add(
+                            FormattableString.Invariant($"{export.ParticleCount} particles of liquid and {export.WallParticleCount} of ") +
+                            FormattableString.Invariant($"walls, {bytes / 1e6:0.0} MB, in {path}."));
                 }
                 catch (Exception exception) when (exception is IOException || exception is UnauthorizedAccessException)
                 {

@@ -7,13 +7,13 @@ namespace SphFluid
     internal sealed class BodyPath
     {
         // Of unit vectors' products: how far from rigid a motion may be.
-        const float RigidTolerance = 1e-3f;
+        private const float RigidTolerance = 1e-3f;
 
         // Of a quaternion's numbers: less than rounding makes is no turn.
-        const float TurnTolerance = 1e-5f;
+        private const float TurnTolerance = 1e-5f;
 
-        readonly List<BodyPose> poses = new List<BodyPose>();
-        readonly Matrix4x4 fromStart; // simulation space at the start to the collider's own
+        private readonly List<BodyPose> poses = new List<BodyPose>();
+        private readonly Matrix4x4 fromStart; // simulation space at the start to the collider's own
 
         /// <param name="start">The collider's space to simulation space, at the first pose; not singular.</param>
         public BodyPath(in Matrix4x4 start)
@@ -62,11 +62,13 @@ namespace SphFluid
             return false;
         }
 
-        static bool IsRigid(in Matrix4x4 m)
+        private static bool IsRigid(in Matrix4x4 m)
         {
             Vector3 x = m.GetColumn(0), y = m.GetColumn(1), z = m.GetColumn(2);
-            return Mathf.Abs(x.sqrMagnitude - 1f) < RigidTolerance && Mathf.Abs(y.sqrMagnitude - 1f) < RigidTolerance && Mathf.Abs(z.sqrMagnitude - 1f) < RigidTolerance &&
-                Mathf.Abs(Vector3.Dot(x, y)) < RigidTolerance && Mathf.Abs(Vector3.Dot(y, z)) < RigidTolerance && Mathf.Abs(Vector3.Dot(z, x)) < RigidTolerance;
+            return Mathf.Abs(x.sqrMagnitude - 1f) < RigidTolerance && Mathf.Abs(y.sqrMagnitude - 1f) < RigidTolerance &&
+                Mathf.Abs(z.sqrMagnitude - 1f) < RigidTolerance &&
+                Mathf.Abs(Vector3.Dot(x, y)) < RigidTolerance && Mathf.Abs(Vector3.Dot(y, z)) < RigidTolerance &&
+                Mathf.Abs(Vector3.Dot(z, x)) < RigidTolerance;
         }
     }
 }

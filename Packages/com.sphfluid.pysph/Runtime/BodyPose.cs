@@ -16,7 +16,9 @@ namespace SphFluid
         /// <summary>The pivot [m], simulation space.</summary>
         public Vector3 Position;
 
-        /// <summary>Turn since the first pose, simulation space; of one sign along a path, so that numbers between two can be interpolated.</summary>
+        /// <summary>
+        /// Turn since the first pose, simulation space; of one sign along a path, so that numbers between two can be interpolated.
+        /// </summary>
         public Quaternion Rotation;
     }
 }

@@ -4,16 +4,18 @@ using UnityEngine;
 
 namespace SphFluid
 {
-    /// <summary>The colliders of a liquid and their motion while the scene plays; what of it PySPH cannot follow is reported once.</summary>
+    /// <summary>
+    /// The colliders of a liquid and their motion while the scene plays; what of it PySPH cannot follow is reported once.
+    /// </summary>
     internal sealed class ColliderTracks : IDisposable
     {
         // Over the spacing: less is no motion.
-        const float StillTolerance = 1e-3f;
+        private const float StillTolerance = 1e-3f;
 
-        readonly List<Track> tracks = new List<Track>();
-        readonly Dictionary<object, Track> known = new Dictionary<object, Track>();
-        readonly HashSet<object> late = new HashSet<object>();
-        readonly Action<FluidMessage> report;
+        private readonly List<Track> tracks = new List<Track>();
+        private readonly Dictionary<object, Track> known = new Dictionary<object, Track>();
+        private readonly HashSet<object> late = new HashSet<object>();
+        private readonly Action<FluidMessage> report;
 
         /// <param name="collision">Colliders of the start, gathered; taken over.</param>
         /// <param name="report">Receives what cannot be followed.</param>
@@ -58,7 +60,8 @@ namespace SphFluid
             foreach (FluidObstacle solid in Scene.Solids)
             {
                 if (known.TryGetValue(solid.State.Key, out Track track)) Follow(track, solid, time);
-                else if (late.Add(solid.State.Key)) Report(solid, "comes into the domain after the export's start and is not exported.", "Let it be in the domain from the start.");
+                else if (late.Add(solid.State.Key)) Report(solid, "comes into the domain after the export's start and is not exported.",
+                    "Let it be in the domain from the start.");
             }
             foreach (Track track in tracks)
                 if (!track.IsPresent) Leave(track, time);
@@ -67,21 +70,28 @@ namespace SphFluid
         /// <inheritdoc/>
         public void Dispose() => Scene.Dispose();
 
-        void Begin(FluidObstacle solid)
+        private void Begin(FluidObstacle solid)
         {
             var track = new Track { Solid = solid, Path = new BodyPath(solid.State.ToSimulation), Floats = IsFloating(solid.Collider) };
             tracks.Add(track);
             known[solid.State.Key] = track;
             if (track.Floats)
+            {
                 Report(solid, "is moved by the liquid, which PySPH's schemes for free surfaces do not do: it stays where it starts.",
                     "Make its Rigidbody kinematic to export the motion that the scene gives it.");
+            }
             if (solid.Source is SkinnedMeshRenderer)
+            {
                 Report(solid, "is a skinned mesh, whose bending is not exported: it moves as the rigid body that it is at the start.", "");
+            }
             if (!solid.Mesh.IsClosed)
-                Report(solid, "is an open mesh: PySPH gets it as a sheet of particles, which fast liquid can cross.", "Use a closed mesh, or a Box Collider that is thicker than three particle spacings.");
+            {
+                Report(solid, "is an open mesh: PySPH gets it as a sheet of particles, which fast liquid can cross.",
+                    "Use a closed mesh, or a Box Collider that is thicker than three particle spacings.");
+            }
         }
 
-        void Follow(Track track, FluidObstacle solid, double time)
+        private void Follow(Track track, FluidObstacle solid, double time)
         {
             track.IsPresent = true;
             if (track.Floats)
@@ -97,7 +107,7 @@ namespace SphFluid
             Report(solid, "changes its size or shape, which is not exported: it keeps those of the start.", "");
         }
 
-        void Leave(Track track, double time)
+        private void Leave(Track track, double time)
         {
             track.Path.Stay(time);
             if (track.Left) return;
@@ -105,16 +115,18 @@ namespace SphFluid
             Report(track.Solid, "leaves the domain or is switched off, which is not exported: it stays where it was last.", "");
         }
 
-        static bool Moves(Track track) => track.Path.Moves(StillTolerance * track.Solid.Spacing);
+        private static bool Moves(Track track) => track.Path.Moves(StillTolerance * track.Solid.Spacing);
 
-        static bool IsFloating(Collider collider) => collider != null && RigidbodyFloat.Moves(collider.attachedRigidbody) && !WheelDiscs.IsWheel(collider) &&
+        private static bool IsFloating(Collider collider) => collider != null && RigidbodyFloat.Moves(collider.attachedRigidbody) &&
+            !WheelDiscs.IsWheel(collider) &&
             ColliderSettings.Find(collider)?.MovedByLiquid != false;
 
         // Sentences begin with what the collider is.
-        void Report(FluidObstacle solid, string text, string cure) => report(new FluidMessage(
-            FluidSeverity.Warning, FluidIssue.NotExported, solid.Source, $"The {(solid.Collider != null ? "collider" : "wall")} {text}", cure));
+        private void Report(FluidObstacle solid, string text, string cure) => report(new FluidMessage(
+            FluidSeverity.Warning, FluidIssue.NotExported, solid.Source,
+            $"The {(solid.Collider != null ? "collider" : "wall")} {text}", cure));
 
-        sealed class Track
+        private sealed class Track
         {
             public FluidObstacle Solid;
             public BodyPath Path;

@@ -18,17 +18,25 @@ namespace SphFluid
             FluidInstrument[] instruments = SceneObjects.Find<FluidInstrument>(simulation);
             Array.Sort(instruments, HierarchyOrder.Compare);
             foreach (FluidInstrument instrument in instruments)
-                if (instrument.enabled && FluidScene.Owner(instrument, instrument.Simulation, simulations) == simulation) Add(instrument, toSimulation, found, report);
+                if (instrument.enabled && FluidScene.Owner(instrument, instrument.Simulation, simulations) == simulation)
+                {
+                    Add(instrument, toSimulation, found, report);
+                }
             FluidSensor[] sensors = SceneObjects.Find<FluidSensor>(simulation);
             Array.Sort(sensors, HierarchyOrder.Compare);
             foreach (FluidSensor sensor in sensors)
                 if (sensor.enabled && FluidScene.Owner(sensor, sensor.Simulation, simulations) == simulation)
-                    Say(report, sensor, "The sensor is not exported: what it switches is in the scene.", "Add a Fluid Probe or a Fluid Gauge where the reading is wanted.");
+                {
+                    Say(report, sensor, "The sensor is not exported: what it switches is in the scene.",
+                        "Add a Fluid Probe or a Fluid Gauge where the reading is wanted.");
+                }
         }
 
-        static void Add(FluidInstrument instrument, in Matrix4x4 toSimulation, List<ExportInstrument> found, Action<FluidMessage> report)
+        private static void Add(FluidInstrument instrument, in Matrix4x4 toSimulation, List<ExportInstrument> found,
+            Action<FluidMessage> report)
         {
-            var exported = new ExportInstrument { Name = instrument.name, Place = toSimulation.MultiplyPoint3x4(instrument.transform.position) };
+            var exported =
+                new ExportInstrument { Name = instrument.name, Place = toSimulation.MultiplyPoint3x4(instrument.transform.position) };
             switch (instrument)
             {
                 case FluidGauge gauge:
@@ -50,10 +58,10 @@ namespace SphFluid
             }
         }
 
-        static string[] PropertiesOf(FluidProbeKind kind) =>
+        private static string[] PropertiesOf(FluidProbeKind kind) =>
             kind == FluidProbeKind.Velocity ? new[] { "u", "v", "w" } : kind == FluidProbeKind.Density ? new[] { "rho" } : new[] { "p" };
 
-        static void Say(Action<FluidMessage> report, Component about, string text, string cure) =>
+        private static void Say(Action<FluidMessage> report, Component about, string text, string cure) =>
             report(new FluidMessage(FluidSeverity.Warning, FluidIssue.NotExported, about, text, cure));
     }
 }

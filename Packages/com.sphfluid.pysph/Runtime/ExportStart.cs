@@ -7,7 +7,7 @@ namespace SphFluid
     /// <summary>What of a liquid is exported at its start: particles, constants and colliders.</summary>
     internal sealed class ExportStart
     {
-        ExportStart(in ExportConstants constants, LiquidParticle[] particles, CollisionScene collision)
+        private ExportStart(in ExportConstants constants, LiquidParticle[] particles, CollisionScene collision)
         {
             Constants = constants;
             Particles = particles;
@@ -35,13 +35,16 @@ namespace SphFluid
             return new ExportStart(ExportConstants.Of(spec, solver.Settings), Rows(particles), collision);
         }
 
-        /// <summary>A liquid as it is filled and brought to rest. Limits of this device and Max Particles of the profile do not hold.</summary>
+        /// <summary>
+        /// A liquid as it is filled and brought to rest. Limits of this device and Max Particles of the profile do not hold.
+        /// </summary>
         /// <param name="asked">The simulation.</param>
         /// <param name="volumes">Its liquid volumes, in hierarchy order.</param>
         /// <param name="watch">Watches how it comes to rest.</param>
         /// <param name="report">Receives what is wrong or worth knowing.</param>
         /// <returns>Null when an error was reported.</returns>
-        public static ExportStart TryMake(in FluidSpec asked, IReadOnlyList<VolumeSpec> volumes, in StartWatch watch, Action<FluidMessage> report)
+        public static ExportStart TryMake(in FluidSpec asked, IReadOnlyList<VolumeSpec> volumes, in StartWatch watch,
+            Action<FluidMessage> report)
         {
             FluidSpec spec = AsComputed(asked);
             var collision = new CollisionScene();
@@ -62,7 +65,7 @@ namespace SphFluid
         }
 
         // Constants are those of Standard, whatever the method: the speed of sound is what the profile asks for.
-        static FluidSpec AsComputed(in FluidSpec asked)
+        private static FluidSpec AsComputed(in FluidSpec asked)
         {
             FluidSpec spec = asked.AsSet();
             spec.Automatic = default;
@@ -72,10 +75,12 @@ namespace SphFluid
         }
 
         // Null when an error was reported. What this device and its grid of cells hold limits no liquid that another machine computes.
-        static FluidStart Begin(in FluidSpec spec, IReadOnlyList<VolumeSpec> volumes, CollisionScene collision, Action<FluidMessage> report)
+        private static FluidStart Begin(in FluidSpec spec, IReadOnlyList<VolumeSpec> volumes, CollisionScene collision,
+            Action<FluidMessage> report)
         {
             FluidStart filled = null;
-            List<FluidMessage> found = FluidChecks.Check(spec, collision, (now, messages) => filled = Fill(now, volumes, collision, messages), out FluidStart start);
+            List<FluidMessage> found = FluidChecks.Check(spec, collision,
+                (now, messages) => filled = Fill(now, volumes, collision, messages), out FluidStart start);
             found.RemoveAll(m => m.Issue == FluidIssue.TooManyCells);
             foreach (FluidMessage message in found) report(message);
             if (start != null || filled == null || FluidChecks.HasErrors(found)) return start;
@@ -91,7 +96,8 @@ namespace SphFluid
             }
         }
 
-        static FluidStart Fill(in FluidSpec spec, IReadOnlyList<VolumeSpec> volumes, CollisionScene collision, List<FluidMessage> messages)
+        private static FluidStart Fill(in FluidSpec spec, IReadOnlyList<VolumeSpec> volumes, CollisionScene collision,
+            List<FluidMessage> messages)
         {
             if (spec.Playback != null) return PlayedLiquid.Begin(spec, messages);
             List<(VolumeSpec, LiquidShape shape)> found = LiquidChecks.Shapes(spec, volumes, collision, messages);
@@ -101,12 +107,16 @@ namespace SphFluid
             request.MaxParticles = int.MaxValue;
             SpawnResult result = FluidSpawner.Fill(request);
             LiquidChecks.Check(spec, found, result, collision, messages);
-            return new FluidStart(result.Particles, result.Needed, LiquidExtent.Create(shapes, spec.DomainSize), result.Fastest) { Gravity = spec.LocalGravity };
+            return new FluidStart(result.Particles, result.Needed, LiquidExtent.Create(shapes, spec.DomainSize),
+                result.Fastest)
+            { Gravity = spec.LocalGravity };
         }
 
-        static IReadOnlyList<FluidParticle> Rested(in FluidSpec spec, FluidStart start, CollisionScene collision, in StartWatch watch, Action<FluidMessage> report)
+        private static IReadOnlyList<FluidParticle> Rested(in FluidSpec spec, FluidStart start, CollisionScene collision,
+            in StartWatch watch, Action<FluidMessage> report)
         {
-            bool fits = start.Particles.Count <= LiquidChecks.MostParticles(spec) && CellChecks.Needed(start.Constants) <= CellChecks.Most(spec.Method);
+            bool fits = start.Particles.Count <= LiquidChecks.MostParticles(spec) &&
+                CellChecks.Needed(start.Constants) <= CellChecks.Most(spec.Method);
             if (spec.StartRelaxation != FluidStartRelaxation.None && !fits)
             {
                 report(new FluidMessage(FluidSeverity.Warning, FluidIssue.StartRelaxation, spec.Owner,
@@ -130,11 +140,10 @@ namespace SphFluid
             return null;
         }
 
-        static LiquidParticle[] Rows(IReadOnlyList<FluidParticle> particles)
+        private static LiquidParticle[] Rows(IReadOnlyList<FluidParticle> particles)
         {
             var rows = new LiquidParticle[particles.Count];
-            for (int i = 0; i < rows.Length; i++)
-                rows[i] = LiquidParticle.Of(particles[i]);
+            for (int i = 0; i < rows.Length; i++) rows[i] = LiquidParticle.Of(particles[i]);
             return rows;
         }
     }

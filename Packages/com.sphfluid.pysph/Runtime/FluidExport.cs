@@ -7,39 +7,43 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>
-    /// A liquid as a case of PySPH, a solver that runs on many processors: particles as filled and brought to rest, or as they are where the liquid runs; walls and
-    /// colliders as particles; constants; probes and gauges; scripts that run it and make of its output a sequence for playback. In play mode colliders that move are
-    /// exported with their path: call <see cref="Note"/> each frame until <see cref="IsComplete"/>, then <see cref="Write"/>. What PySPH cannot express is among the
-    /// <see cref="Messages"/>. Scheme and settings are those of PySPH's authors: Ramachandran et al., PySPH: a Python-based framework for smoothed particle
-    /// hydrodynamics, ACM Transactions on Mathematical Software 47 (2021).
+    /// A liquid as a case of PySPH, a solver that runs on many processors: particles as filled and brought to rest, or as they are where
+    /// the liquid runs; walls and colliders as particles; constants; probes and gauges; scripts that run it and make of its output a
+    /// sequence for playback. In play mode colliders that move are exported with their path: call <see cref="Note"/> each frame until
+    /// <see cref="IsComplete"/>, then <see cref="Write"/>. What PySPH cannot express is among the <see cref="Messages"/>. Scheme and
+    /// settings are those of PySPH's authors: Ramachandran et al., PySPH: a Python-based framework for smoothed particle hydrodynamics, ACM
+    /// Transactions on Mathematical Software 47 (2021).
     /// </summary>
     public sealed class FluidExport : IDisposable
     {
-        const int MostLetters = 40;
+        private const int MostLetters = 40;
 
-        static readonly Regex DeviceName = new Regex("^(con|prn|aux|nul|com.|lpt.)$", RegexOptions.IgnoreCase | RegexOptions.CultureInvariant);
+        private static readonly Regex DeviceName =
+            new Regex("^(con|prn|aux|nul|com.|lpt.)$", RegexOptions.IgnoreCase | RegexOptions.CultureInvariant);
 
-        readonly FluidSimulation simulation;
-        readonly FluidExportOptions options;
-        readonly ExportStart start;
-        readonly ColliderTracks colliders;
-        readonly List<ExportInstrument> instruments = new List<ExportInstrument>();
-        readonly List<FluidMessage> messages = new List<FluidMessage>();
-        readonly Vector3 position;
-        readonly Quaternion rotation;
-        double time;
+        private readonly FluidSimulation simulation;
+        private readonly FluidExportOptions options;
+        private readonly ExportStart start;
+        private readonly ColliderTracks colliders;
+        private readonly List<ExportInstrument> instruments = new List<ExportInstrument>();
+        private readonly List<FluidMessage> messages = new List<FluidMessage>();
+        private readonly Vector3 position;
+        private readonly Quaternion rotation;
+        private double time;
 
-        FluidExport(FluidSimulation simulation, FluidExportOptions options)
+        private FluidExport(FluidSimulation simulation, FluidExportOptions options)
         {
             this.simulation = simulation;
             this.options = options;
             FluidSpec spec = simulation.Spec;
             (position, rotation) = (spec.Position, spec.Rotation);
-            start = simulation.IsRunning ? ExportStart.OfRunning(spec, simulation.Solver) : ExportStart.TryMake(spec, FluidScene.Volumes(simulation), simulation.Watch, Report);
+            start = simulation.IsRunning ? ExportStart.OfRunning(spec, simulation.Solver)
+                : ExportStart.TryMake(spec, FluidScene.Volumes(simulation), simulation.Watch, Report);
             if (start == null) return;
             if (start.Particles.Length == 0)
             {
-                Report(new FluidMessage(FluidSeverity.Error, FluidIssue.NoLiquid, simulation, "There is no liquid to export.", "Add a Fluid Volume, or let an emitter pour first and export the running liquid."));
+                Report(new FluidMessage(FluidSeverity.Error, FluidIssue.NoLiquid, simulation, "There is no liquid to export.",
+                    "Add a Fluid Volume, or let an emitter pour first and export the running liquid."));
                 return;
             }
             PysphLimits.Report(spec, Report);
@@ -68,7 +72,10 @@ namespace SphFluid
         /// <summary>Particles of walls and colliders; known once it is written.</summary>
         public long WallParticleCount { get; private set; }
 
-        /// <summary>Begins with the liquid and the colliders as they are now. A liquid that does not run comes to rest first, where its settings ask for that.</summary>
+        /// <summary>
+        /// Begins with the liquid and the colliders as they are now. A liquid that does not run comes to rest first, where its settings ask
+        /// for that.
+        /// </summary>
         /// <param name="simulation">The simulation, running or not, in play mode or not; it is not changed.</param>
         /// <param name="options">What is computed.</param>
         /// <returns>The export, to be disposed of.</returns>
@@ -82,7 +89,10 @@ namespace SphFluid
             return new FluidExport(simulation, options);
         }
 
-        /// <summary>Where the cases of several liquids go: one to the folder itself, more each to a folder of its name in it, with a number where names are shared.</summary>
+        /// <summary>
+        /// Where the cases of several liquids go: one to the folder itself, more each to a folder of its name in it, with a number where
+        /// names are shared.
+        /// </summary>
         /// <param name="simulations">The liquids.</param>
         /// <param name="folder">The folder.</param>
         /// <returns>A folder for each, in their order.</returns>
@@ -95,7 +105,11 @@ namespace SphFluid
             for (int i = 0; i < folders.Length; i++)
             {
                 string name = Plain(simulations[i].name), path = Path.Combine(folder, name);
-                for (int number = 2; Array.FindIndex(folders, 0, i, f => string.Equals(f, path, StringComparison.OrdinalIgnoreCase)) >= 0; number++) path = Path.Combine(folder, $"{name}-{number}");
+                for (int number = 2; Array.FindIndex(folders, 0, i, f => string.Equals(f, path, StringComparison.OrdinalIgnoreCase)) >= 0;
+                    number++)
+                {
+                    path = Path.Combine(folder, $"{name}-{number}");
+                }
                 folders[i] = folders.Length == 1 ? folder : path;
             }
             return folders;
@@ -130,15 +144,19 @@ namespace SphFluid
             int layers = PysphCase.Layers(options.Scheme);
             var scene = new FluidExportOptions
             {
-                Seconds = options.Seconds, FrameRate = options.FrameRate, Scheme = options.Scheme, Ranks = options.Ranks, Commit = options.Commit,
+                Seconds = options.Seconds, FrameRate = options.FrameRate, Scheme = options.Scheme, Ranks = options.Ranks,
+                Commit = options.Commit,
                 Scene = options.Scene ?? simulation.gameObject.scene.name,
             };
             var bodies = new List<ExportBody>();
             foreach ((FluidObstacle solid, BodyPath path) in colliders.Moving)
+            {
                 bodies.Add(new ExportBody(solid.Name, ExportWalls.Moving(start, solid, path.Pivot, layers), path.Poses));
+            }
             var made = new PysphCase(simulation.name, start.Constants, scene)
             {
-                Liquid = start.Particles, Walls = ExportWalls.Still(start, colliders.Still, layers), Bodies = bodies, Instruments = instruments, Messages = messages,
+                Liquid = start.Particles, Walls = ExportWalls.Still(start, colliders.Still, layers), Bodies = bodies,
+                Instruments = instruments, Messages = messages,
             };
             WallParticleCount = made.Walls.Length;
             foreach (ExportBody body in bodies) WallParticleCount += body.Particles.Length;
@@ -153,7 +171,7 @@ namespace SphFluid
         }
 
         // Letters and digits in one form, no more of them than every file system takes, and no name that Windows keeps for a device.
-        static string Plain(string name)
+        private static string Plain(string name)
         {
             char[] letters = name.ToCharArray(0, Math.Min(name.Length, MostLetters));
             for (int i = 0; i < letters.Length; i++)
@@ -163,7 +181,7 @@ namespace SphFluid
         }
 
         // Each once.
-        void Report(FluidMessage message)
+        private void Report(FluidMessage message)
         {
             if (!messages.Contains(message)) messages.Add(message);
         }

@@ -5,9 +5,9 @@ namespace SphFluid
     /// <summary>Calls a recorder once a frame, after the liquids.</summary>
     [AddComponentMenu("")]
     [DefaultExecutionOrder(300)]
-    sealed class FluidExportFrames : MonoBehaviour
+    internal sealed class FluidExportFrames : MonoBehaviour
     {
-        FluidExportRecorder recorder;
+        private FluidExportRecorder recorder;
 
         public static FluidExportFrames Begin(FluidExportRecorder recorder)
         {
@@ -18,6 +18,6 @@ namespace SphFluid
             return frames;
         }
 
-        void LateUpdate() => recorder.Advance();
+        private void LateUpdate() => recorder.Advance();
     }
 }

@@ -34,8 +34,10 @@ namespace SphFluid
         internal void Validate()
         {
             if (!(Seconds > 0.0) || !(FrameRate > 0.0) || !(Seconds * FrameRate <= MostFrames))
+            {
                 throw new ArgumentException(FormattableString.Invariant(
                     $"Seconds is {Seconds} and FrameRate {FrameRate}; give both numbers above zero, with {MostFrames} frames at most."));
+            }
             Require.Known(Scheme, nameof(Scheme));
             if (Ranks < 1 || Ranks > MostRanks) throw new ArgumentException($"Ranks is {Ranks}; give it a number from 1 to {MostRanks}.");
         }

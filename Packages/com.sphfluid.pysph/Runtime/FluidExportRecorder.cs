@@ -5,17 +5,20 @@ using Object = UnityEngine.Object;
 
 namespace SphFluid
 {
-    /// <summary>Exports liquids in play mode: records where colliders are, frame by frame, and hands the exports over when their time is over.</summary>
+    /// <summary>
+    /// Exports liquids in play mode: records where colliders are, frame by frame, and hands the exports over when their time is over.
+    /// </summary>
     public sealed class FluidExportRecorder : IDisposable
     {
-        readonly IReadOnlyList<FluidSimulation> simulations;
-        readonly FluidExportOptions options;
-        readonly Action<IReadOnlyList<FluidExport>> done;
-        readonly List<FluidExport> exports = new List<FluidExport>();
-        readonly FluidExportFrames frames;
-        double begun;
+        private readonly IReadOnlyList<FluidSimulation> simulations;
+        private readonly FluidExportOptions options;
+        private readonly Action<IReadOnlyList<FluidExport>> done;
+        private readonly List<FluidExport> exports = new List<FluidExport>();
+        private readonly FluidExportFrames frames;
+        private double begun;
 
-        FluidExportRecorder(IReadOnlyList<FluidSimulation> simulations, FluidExportOptions options, Action<IReadOnlyList<FluidExport>> done)
+        private FluidExportRecorder(IReadOnlyList<FluidSimulation> simulations, FluidExportOptions options,
+            Action<IReadOnlyList<FluidExport>> done)
         {
             this.simulations = simulations;
             this.options = options;
@@ -36,7 +39,8 @@ namespace SphFluid
         /// <returns>The recorder; dispose of it to end it before.</returns>
         /// <exception cref="ArgumentNullException">Something is missing.</exception>
         /// <exception cref="ArgumentException">An option is out of range.</exception>
-        public static FluidExportRecorder Begin(IReadOnlyList<FluidSimulation> simulations, FluidExportOptions options, Action<IReadOnlyList<FluidExport>> done)
+        public static FluidExportRecorder Begin(IReadOnlyList<FluidSimulation> simulations, FluidExportOptions options,
+            Action<IReadOnlyList<FluidExport>> done)
         {
             if (simulations == null) throw new ArgumentNullException(nameof(simulations));
             if (options == null) throw new ArgumentNullException(nameof(options));
@@ -81,7 +85,7 @@ namespace SphFluid
             }
         }
 
-        void Take()
+        private void Take()
         {
             begun = Time.timeAsDouble;
             foreach (FluidSimulation simulation in simulations) exports.Add(FluidExport.Begin(simulation, options));

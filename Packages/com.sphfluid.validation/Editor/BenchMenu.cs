@@ -2,14 +2,16 @@ using UnityEditor;
 
 namespace SphFluid.Validation.Editor
 {
-    /// <summary>Window > SPH Fluid > Benchmark: the tables on this machine, the same code as the command line's, with its defaults.</summary>
+    /// <summary>
+    /// Window > SPH Fluid > Benchmark: the tables on this machine, the same code as the command line's, with its defaults.
+    /// </summary>
     public static class BenchMenu
     {
-        const string Path = "Window/SPH Fluid/Benchmark/";
+        private const string Path = "Window/SPH Fluid/Benchmark/";
 
-        static readonly MenuSession thesis = Session(BenchArguments.ThesisTable);
-        static readonly MenuSession solver = Session(BenchArguments.SolverTable);
-        static readonly MenuSession surface = Session(BenchArguments.SurfaceTable);
+        private static readonly MenuSession thesis = Session(BenchArguments.ThesisTable);
+        private static readonly MenuSession solver = Session(BenchArguments.SolverTable);
+        private static readonly MenuSession surface = Session(BenchArguments.SurfaceTable);
 
         /// <summary>Starts the thesis's tables, or stops them; the Editor can be used meanwhile.</summary>
         [MenuItem(Path + "Thesis Tables", false, 3010)]
@@ -23,7 +25,8 @@ namespace SphFluid.Validation.Editor
         [MenuItem(Path + "Surfaces", false, 3012)]
         public static void ToggleSurface() => surface.Toggle();
 
-        static MenuSession Session(string table) =>
-            new MenuSession(progress => new BenchSession(BenchArguments.Parse(new[] { "--", "--table", table }), SessionAssets.PackageShaders, progress));
+        private static MenuSession Session(string table) =>
+            new MenuSession(progress => new BenchSession(BenchArguments.Parse(new[] { "--", "--table", table }),
+                SessionAssets.PackageShaders, progress));
     }
 }

@@ -8,20 +8,23 @@ using UnityEngine;
 
 namespace SphFluid.Validation.Editor
 {
-    /// <summary>Window > SPH Fluid > Choose a Method: which method, κ and spacing a flow needs on this machine, the same code as the command line's.</summary>
+    /// <summary>
+    /// Window > SPH Fluid > Choose a Method: which method, κ and spacing a flow needs on this machine, the same code as the command line's.
+    /// </summary>
     public sealed class ChooseWindow : EditorWindow
     {
-        const string Path = "Window/SPH Fluid/Choose a Method";
-        const float PictureWidth = 600f, PictureHeight = 413f;
+        private const string Path = "Window/SPH Fluid/Choose a Method";
+        private const float PictureWidth = 600f, PictureHeight = 413f;
 
-        static readonly ValidationCase[] cases = ChooseArguments.Charted().ToArray();
-        static readonly string[] titles = cases.Select(c => c.Words.Count > 0 ? $"{string.Join(", ", c.Words)}: {c.Title}" : c.Title).ToArray();
+        private static readonly ValidationCase[] cases = ChooseArguments.Charted().ToArray();
+        private static readonly string[] titles =
+            cases.Select(c => c.Words.Count > 0 ? $"{string.Join(", ", c.Words)}: {c.Title}" : c.Title).ToArray();
 
-        readonly List<string> lines = new List<string>();
-        int chosen;
-        bool asksError = true, asksTime = true;
-        float error = 5f, milliseconds = 4f, framesPerSecond = 60f, length, volume, speed, compression = 4f;
-        Texture2D picture;
+        private readonly List<string> lines = new List<string>();
+        private int chosen;
+        private bool asksError = true, asksTime = true;
+        private float error = 5f, milliseconds = 4f, framesPerSecond = 60f, length, volume, speed, compression = 4f;
+        private Texture2D picture;
 
         /// <summary>Opens the window.</summary>
         [MenuItem(Path, false, 3012)]
@@ -30,7 +33,7 @@ namespace SphFluid.Validation.Editor
         /// <summary>What was answered last, line by line.</summary>
         internal IReadOnlyList<string> Lines => lines;
 
-        void OnGUI()
+        private void OnGUI()
         {
             chosen = EditorGUILayout.Popup("Flow like", chosen, titles);
             using (new EditorGUILayout.HorizontalScope())
@@ -49,15 +52,12 @@ namespace SphFluid.Validation.Editor
             length = EditorGUILayout.FloatField($"Length [m]: {cases[chosen].LengthTitle}", length);
             volume = EditorGUILayout.FloatField("Volume [m³]", volume);
             speed = EditorGUILayout.FloatField("Fastest speed [m/s]", speed);
-            if (GUILayout.Button("Choose"))
-                Answer();
-            if (lines.Count > 0)
-                EditorGUILayout.HelpBox(string.Join("\n", lines), MessageType.None);
-            if (picture != null)
-                GUILayout.Label(picture, GUILayout.MaxWidth(PictureWidth), GUILayout.MaxHeight(PictureHeight));
+            if (GUILayout.Button("Choose")) Answer();
+            if (lines.Count > 0) EditorGUILayout.HelpBox(string.Join("\n", lines), MessageType.None);
+            if (picture != null) GUILayout.Label(picture, GUILayout.MaxWidth(PictureWidth), GUILayout.MaxHeight(PictureHeight));
         }
 
-        void OnDisable() => DestroyPicture();
+        private void OnDisable() => DestroyPicture();
 
         /// <summary>Answers what the fields ask.</summary>
         internal void Answer()
@@ -89,7 +89,7 @@ namespace SphFluid.Validation.Editor
         }
 
         // The command line's flags: one parser, one set of messages.
-        IEnumerable<string> Words()
+        private IEnumerable<string> Words()
         {
             var words = new List<string> { "--", "--case", cases[chosen].Name };
             void Add(string flag, float value, string unit = "")
@@ -97,33 +97,26 @@ namespace SphFluid.Validation.Editor
                 words.Add(flag);
                 words.Add(value.ToString(CultureInfo.InvariantCulture) + unit);
             }
-            if (asksError)
-                Add("--error", error, "%");
-            if (asksTime)
-                Add("--ms", milliseconds);
+            if (asksError) Add("--error", error, "%");
+            if (asksTime) Add("--ms", milliseconds);
             Add("--fps", framesPerSecond);
             Add("--compression", compression, "%");
-            if (length != 0f)
-                Add("--length", length);
-            if (volume != 0f)
-                Add("--volume", volume);
-            if (speed != 0f)
-                Add("--speed", speed);
+            if (length != 0f) Add("--length", length);
+            if (volume != 0f) Add("--volume", volume);
+            if (speed != 0f) Add("--speed", speed);
             return words;
         }
 
-        void ShowPicture(string file)
+        private void ShowPicture(string file)
         {
-            if (!File.Exists(file))
-                return; // without gnuplot
+            if (!File.Exists(file)) return; // without gnuplot
             picture = new Texture2D(2, 2) { hideFlags = HideFlags.HideAndDontSave };
             picture.LoadImage(File.ReadAllBytes(file));
         }
 
-        void DestroyPicture()
+        private void DestroyPicture()
         {
-            if (picture != null)
-                DestroyImmediate(picture);
+            if (picture != null) DestroyImmediate(picture);
             picture = null;
         }
     }

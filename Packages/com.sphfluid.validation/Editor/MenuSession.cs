@@ -5,10 +5,10 @@ using UnityEngine;
 namespace SphFluid.Validation.Editor
 {
     /// <summary>A measurement that a menu command starts and stops; it goes on while the Editor is used.</summary>
-    sealed class MenuSession
+    internal sealed class MenuSession
     {
-        readonly Func<SessionProgress, IValidationSession> create;
-        IValidationSession session;
+        private readonly Func<SessionProgress, IValidationSession> create;
+        private IValidationSession session;
 
         public MenuSession(Func<SessionProgress, IValidationSession> create) => this.create = create;
 
@@ -30,12 +30,11 @@ namespace SphFluid.Validation.Editor
             }
         }
 
-        void Step()
+        private void Step()
         {
             try
             {
-                if (!session.Step())
-                    End();
+                if (!session.Step()) End();
             }
             catch (Exception exception)
             {
@@ -44,7 +43,7 @@ namespace SphFluid.Validation.Editor
             }
         }
 
-        void End()
+        private void End()
         {
             EditorApplication.update -= Step;
             session.Dispose();

@@ -11,13 +11,13 @@ using UnityEngine.SceneManagement;
 namespace SphFluid.Validation.Editor
 {
     /// <summary>
-    /// A new user's first minutes, by the code that the menus call: an empty scene, a floor, GameObject > Fluid > Tank, Emitter, and in scenes of their own
-    /// Surface and Particles. After each step the scene is saved, to be played.
-    /// Run it by -executeMethod SphFluid.Validation.Editor.NewUserWalk.Write, with --folder PATH below the project (Assets/NewUser).
+    /// A new user's first minutes, by the code that the menus call: an empty scene, a floor, GameObject > Fluid > Tank, Emitter, and in
+    /// scenes of their own Surface and Particles. After each step the scene is saved, to be played. Run it by -executeMethod
+    /// SphFluid.Validation.Editor.NewUserWalk.Write, with --folder PATH below the project (Assets/NewUser).
     /// </summary>
     public static class NewUserWalk
     {
-        const string DefaultFolder = "Assets/NewUser";
+        private const string DefaultFolder = "Assets/NewUser";
 
         /// <summary>Writes the scenes; ends with exit code 1 where one cannot be saved, or its set-up has a message.</summary>
         public static void Write()
@@ -38,7 +38,7 @@ namespace SphFluid.Validation.Editor
         }
 
         // A scene as the Editor makes it, with a floor, seen from where Align With View would put the camera.
-        static void Begin()
+        private static void Begin()
         {
             EditorSceneManager.NewScene(NewSceneSetup.DefaultGameObjects);
             Camera.main.transform.position = new Vector3(1.1f, 1.25f, -1.9f);
@@ -46,7 +46,7 @@ namespace SphFluid.Validation.Editor
             GameObject.CreatePrimitive(PrimitiveType.Plane);
         }
 
-        static bool Step(string folder, string name, Action menu)
+        private static bool Step(string folder, string name, Action menu)
         {
             menu();
             int messages = 0;
@@ -64,6 +64,6 @@ namespace SphFluid.Validation.Editor
             return saved && messages == 0;
         }
 
-        static IReadOnlyList<FluidSimulation> Liquids() => LoadedScenes.Find<FluidSimulation>().ToList();
+        private static IReadOnlyList<FluidSimulation> Liquids() => LoadedScenes.Find<FluidSimulation>().ToList();
     }
 }

@@ -6,13 +6,13 @@ namespace SphFluid.Validation.Editor
     /// <summary>Particles as shaded discs, orthographic, one panel beside another; drawn on the CPU, so the same everywhere.</summary>
     internal sealed class ParticlePicture
     {
-        const int Gap = 12;
+        private const int Gap = 12;
 
-        static readonly Color32 Paper = new Color32(245, 246, 248, 255);
-        static readonly Color32 Frame = new Color32(120, 126, 136, 255);
+        private static readonly Color32 Paper = new Color32(245, 246, 248, 255);
+        private static readonly Color32 Frame = new Color32(120, 126, 136, 255);
 
-        readonly Color32[] pixels;
-        readonly int panels, panelWidth, panelHeight;
+        private readonly Color32[] pixels;
+        private readonly int panels, panelWidth, panelHeight;
 
         /// <summary>An empty picture.</summary>
         /// <param name="panels">Number of panels.</param>
@@ -27,9 +27,9 @@ namespace SphFluid.Validation.Editor
             for (int i = 0; i < pixels.Length; i++) pixels[i] = Paper;
         }
 
-        int Width => panels * panelWidth + (panels + 1) * Gap;
+        private int Width => panels * panelWidth + (panels + 1) * Gap;
 
-        int Height => panelHeight + 2 * Gap;
+        private int Height => panelHeight + 2 * Gap;
 
         /// <summary>Draws particles that fill a panel with their box.</summary>
         /// <param name="panel">Number of the panel, from the left.</param>
@@ -70,7 +70,7 @@ namespace SphFluid.Validation.Editor
             return file;
         }
 
-        void DrawFrame(int left)
+        private void DrawFrame(int left)
         {
             for (int x = -1; x <= panelWidth; x++)
             {
@@ -85,7 +85,7 @@ namespace SphFluid.Validation.Editor
         }
 
         // Darker towards the rim, so that discs that overlap stay apart.
-        void Disc(float cx, float cy, float radius, Color colour)
+        private void Disc(float cx, float cy, float radius, Color colour)
         {
             for (int y = Mathf.FloorToInt(cy - radius); y <= Mathf.CeilToInt(cy + radius); y++)
             {
@@ -98,13 +98,13 @@ namespace SphFluid.Validation.Editor
             }
         }
 
-        void Set(int x, int y, Color colour)
+        private void Set(int x, int y, Color colour)
         {
             colour.a = 1f;
             if (x >= 0 && y >= 0 && x < Width && y < Height) pixels[y * Width + x] = colour;
         }
 
-        static Color Ramp(float value)
+        private static Color Ramp(float value)
         {
             float t = Mathf.Clamp01(value);
             var low = new Color(0.16f, 0.42f, 0.80f);

@@ -9,8 +9,8 @@ namespace SphFluid.Validation.Editor
     /// <summary>Time of a step with either neighbour search of the thesis method, taken in turns, on the console.</summary>
     public static class SearchCost
     {
-        const int Turns = 9;
-        const int StepsPerTurn = 4;
+        private const int Turns = 9;
+        private const int StepsPerTurn = 4;
 
         /// <summary>Entry point for <c>-batchmode -executeMethod SphFluid.Validation.Editor.SearchCost.Write</c>.</summary>
         public static void Write()
@@ -33,14 +33,15 @@ namespace SphFluid.Validation.Editor
                 octants.Sort();
                 cells.Sort();
                 Console.WriteLine(string.Format(CultureInfo.InvariantCulture,
-                    "{0}, {1} particles: 8 cells of 2h {2:0.0} ms a step ({3:0.0} to {4:0.0}), 27 cells of h {5:0.0} ms ({6:0.0} to {7:0.0})",
+                    "{0}, {1} particles: 8 cells of 2h {2:0.0} ms a step ({3:0.0} to {4:0.0}), 27 cells of h {5:0.0} ms ({6:0.0} to " +
+                    "{7:0.0})",
                     SystemInfo.graphicsDeviceName, start.Length, octants[Turns / 2], octants[0], octants[Turns - 1],
                     cells[Turns / 2], cells[0], cells[Turns - 1]));
             }
         }
 
         // Milliseconds a step.
-        static double Time(FluidSolver solver)
+        private static double Time(FluidSolver solver)
         {
             var watch = Stopwatch.StartNew();
             GpuWork.Step("Search Cost", solver, StepsPerTurn);

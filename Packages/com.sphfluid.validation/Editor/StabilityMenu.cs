@@ -3,13 +3,16 @@ using UnityEditor;
 
 namespace SphFluid.Validation.Editor
 {
-    /// <summary>Window > SPH Fluid > Stability Maps: where the methods are stable on this machine, the same code as the command line's.</summary>
+    /// <summary>
+    /// Window > SPH Fluid > Stability Maps: where the methods are stable on this machine, the same code as the command line's.
+    /// </summary>
     public static class StabilityMenu
     {
-        const string Path = "Window/SPH Fluid/Stability Maps";
+        private const string Path = "Window/SPH Fluid/Stability Maps";
 
-        static readonly MenuSession session =
-            new MenuSession(progress => new StabilitySession(StabilityArguments.Parse(Array.Empty<string>()), SessionAssets.PackageShaders, progress));
+        private static readonly MenuSession session =
+            new MenuSession(progress => new StabilitySession(StabilityArguments.Parse(Array.Empty<string>()),
+                SessionAssets.PackageShaders, progress));
 
         /// <summary>Starts all maps, or stops those that run; it goes on from what is in Build/stability already.</summary>
         [MenuItem(Path, false, 3012)]

@@ -11,16 +11,16 @@ namespace SphFluid.Validation.Editor
     /// </summary>
     public static class SwitchFigures
     {
-        const int PanelHeight = 320;
-        const int MaxPanelWidth = 280;
+        private const int PanelHeight = 320;
+        private const int MaxPanelWidth = 280;
 
         /// <summary>
-        /// Entry point for <c>-batchmode -executeMethod SphFluid.Validation.Editor.SwitchFigures.Write</c>; <c>--out DIR</c> names the folder,
-        /// <c>--only NAME</c> one experiment.
+        /// Entry point for <c>-batchmode -executeMethod SphFluid.Validation.Editor.SwitchFigures.Write</c>; <c>--out DIR</c> names the
+        /// folder, <c>--only NAME</c> one experiment.
         /// </summary>
         public static void Write() => FigureSession.Write(SwitchCatalogue.All(), e => e.Name, "thesis", FigureSession.PackageImages, Run);
 
-        static ParticlePicture Run(SwitchExperiment experiment)
+        private static ParticlePicture Run(SwitchExperiment experiment)
         {
             SwitchResult corrected = experiment.Run(false, SessionAssets.PackageShaders);
             SwitchResult printed = experiment.Run(true, SessionAssets.PackageShaders);
@@ -34,7 +34,7 @@ namespace SphFluid.Validation.Editor
             return picture;
         }
 
-        static void Draw(ParticlePicture picture, int panel, SwitchResult result, SwitchExperiment experiment)
+        private static void Draw(ParticlePicture picture, int panel, SwitchResult result, SwitchExperiment experiment)
         {
             FluidSolverSettings settings = result.Settings;
             var value = new float[result.Particles.Length];
@@ -56,8 +56,9 @@ namespace SphFluid.Validation.Editor
             picture.Draw(panel, result.Particles, value, settings.DomainSize, experiment.FromAbove, 0.4f * settings.Spacing);
         }
 
-        static string Figures(SwitchResult result) => string.Format(CultureInfo.InvariantCulture,
-            "height {0:0.0000} m, speed {1:0.000} m/s, extent {2:0.0000} m, nearer than dx/2 {3:0.000}, slope {4:0.000}, limit hits {5}, not finite {6}",
+        private static string Figures(SwitchResult result) => string.Format(CultureInfo.InvariantCulture,
+            "height {0:0.0000} m, speed {1:0.000} m/s, extent {2:0.0000} m, nearer than dx/2 {3:0.000}, slope {4:0.000}, limit hits {5}, " +
+            "not finite {6}",
             result.MeanHeight, result.MeanSpeed, result.Extent, result.Clumped(0.5f), result.PressureSlope,
             result.Counters.AccelerationLimitHits, result.Counters.NonFinite);
     }

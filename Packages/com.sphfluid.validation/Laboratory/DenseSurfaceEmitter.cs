@@ -10,8 +10,8 @@ namespace SphFluid.Laboratory
         /// <summary>Bytes of a triangle's corner, as Shaders/Surface/Thesis/EmittedVertex.hlsl declares it.</summary>
         public const int CornerStride = EmittedVertex.Stride;
 
-        readonly EmitSurfaceVerticesPass emit;
-        readonly FluidBuffer tables;
+        private readonly EmitSurfaceVerticesPass emit;
+        private readonly FluidBuffer tables;
 
         /// <summary>For measurements: prepares the kernel.</summary>
         /// <param name="shaders">The shaders.</param>
@@ -32,7 +32,8 @@ namespace SphFluid.Laboratory
         /// <param name="count">Raw: its first number is where the next corner goes, 0 at first; all corners are added to it.</param>
         /// <param name="corners">Receives the corners, <see cref="CornerStride"/> bytes each.</param>
         /// <param name="capacity">Corners that may be written; cubes that do not fit are counted only.</param>
-        public void Record(CommandBuffer cmd, SurfaceField field, float isoValue, GraphicsBuffer count, GraphicsBuffer corners, int capacity) =>
+        public void Record(CommandBuffer cmd, SurfaceField field, float isoValue, GraphicsBuffer count, GraphicsBuffer corners,
+            int capacity) =>
             emit.Record(cmd, field, isoValue, tables, count, corners, capacity);
 
         /// <summary>Releases the tables.</summary>

@@ -4,12 +4,14 @@ using UnityEngine.Rendering;
 
 namespace SphFluid.Laboratory
 {
-    /// <summary>For measurements only: draws the thesis's surface as a Fluid Geometry Surface Renderer does, but into a command buffer.</summary>
+    /// <summary>
+    /// For measurements only: draws the thesis's surface as a Fluid Geometry Surface Renderer does, but into a command buffer.
+    /// </summary>
     public sealed class MeasuredGeometrySurface : IDisposable
     {
-        const int ForwardPass = 0;
+        private const int ForwardPass = 0;
 
-        readonly GeometrySurface surface;
+        private readonly GeometrySurface surface;
 
         /// <summary>For measurements: prepares the drawing.</summary>
         /// <param name="shaders">The shaders.</param>
@@ -28,7 +30,8 @@ namespace SphFluid.Laboratory
         /// <param name="smoothness">Smoothness of the highlight, 0 to 1.</param>
         public void Record(CommandBuffer cmd, SurfaceField field, float isoValue, Color colour, float smoothness)
         {
-            MaterialPropertyBlock properties = surface.Properties(field, isoValue, colour, smoothness, MeasuredSurface.Placement(field.Grid.Size));
+            MaterialPropertyBlock properties =
+                surface.Properties(field, isoValue, colour, smoothness, MeasuredSurface.Placement(field.Grid.Size));
             cmd.DrawProcedural(Matrix4x4.identity, surface.Material, ForwardPass, MeshTopology.Points, field.Grid.CubeCount, 1, properties);
         }
 

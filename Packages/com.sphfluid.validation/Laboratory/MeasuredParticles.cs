@@ -7,9 +7,9 @@ namespace SphFluid.Laboratory
     /// <summary>For measurements only: draws particles as a Fluid Particle Renderer does, but into a command buffer.</summary>
     public sealed class MeasuredParticles : IDisposable
     {
-        const int ForwardPass = 0;
+        private const int ForwardPass = 0;
 
-        readonly ParticleSquares squares;
+        private readonly ParticleSquares squares;
 
         /// <summary>For measurements: prepares the drawing.</summary>
         /// <param name="shaders">The shaders.</param>
@@ -25,7 +25,8 @@ namespace SphFluid.Laboratory
         public void Record(CommandBuffer cmd, FluidSolver solver, float size, Color colour, float smoothness)
         {
             var look = new ParticleLook { Size = size, Color = colour, FastColor = colour, Smoothness = smoothness };
-            MaterialPropertyBlock properties = squares.Properties(solver.Particles, look, MeasuredSurface.Placement(solver.Settings.DomainSize));
+            MaterialPropertyBlock properties =
+                squares.Properties(solver.Particles, look, MeasuredSurface.Placement(solver.Settings.DomainSize));
             cmd.DrawProcedural(Matrix4x4.identity, squares.Material, ForwardPass, MeshTopology.Triangles,
                 solver.ParticleCount * ParticleSquares.VerticesPerParticle, 1, properties);
         }

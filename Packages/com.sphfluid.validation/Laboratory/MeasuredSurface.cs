@@ -10,9 +10,9 @@ namespace SphFluid.Laboratory
     /// </summary>
     public sealed class MeasuredSurface : IDisposable
     {
-        readonly MaterialPropertyBlock properties = new MaterialPropertyBlock();
-        readonly SceneLighting lighting = new SceneLighting();
-        Material material;
+        private readonly MaterialPropertyBlock properties = new MaterialPropertyBlock();
+        private readonly SceneLighting lighting = new SceneLighting();
+        private Material material;
 
         /// <summary>For measurements: prepares the drawing.</summary>
         /// <param name="shader">A shader that includes Shaders/Surface/SurfaceShading.hlsl.</param>

@@ -4,16 +4,18 @@ using UnityEngine.Rendering;
 
 namespace SphFluid.Laboratory
 {
-    /// <summary>For measurements only: draws a sparse surface as clear water as a Fluid Surface Renderer does, but into a command buffer.</summary>
+    /// <summary>
+    /// For measurements only: draws a sparse surface as clear water as a Fluid Surface Renderer does, but into a command buffer.
+    /// </summary>
     public sealed class MeasuredWater : IDisposable
     {
-        const int ForwardPass = 0;
+        private const int ForwardPass = 0;
 
-        static readonly int SceneDepth = Shader.PropertyToID("_CameraDepthTexture");
+        private static readonly int SceneDepth = Shader.PropertyToID("_CameraDepthTexture");
 
-        readonly WaterDrawing water;
-        SurfaceBuffers buffers;
-        Vector2Int size;
+        private readonly WaterDrawing water;
+        private SurfaceBuffers buffers;
+        private Vector2Int size;
 
         /// <summary>For measurements: prepares the drawing.</summary>
         /// <param name="shaders">The shaders.</param>
@@ -30,7 +32,9 @@ namespace SphFluid.Laboratory
         public static SurfaceFieldSettings FieldOf(FluidSurfaceQuality quality, in FluidSolverSettings settings, FluidWaterLook look) =>
             SurfaceFieldSettings.For(quality, settings).WithSpray(look.Spray > 0);
 
-        /// <summary>For measurements: takes a surface, and what is behind it, for what is recorded next; simulation space is world space.</summary>
+        /// <summary>
+        /// For measurements: takes a surface, and what is behind it, for what is recorded next; simulation space is world space.
+        /// </summary>
         /// <param name="surface">The surface, of a field with spray where <paramref name="look"/> has it.</param>
         /// <param name="grid">Its grid.</param>
         /// <param name="spacing">Particle spacing dx [m].</param>
@@ -49,7 +53,10 @@ namespace SphFluid.Laboratory
             water.Block.SetTexture(SceneDepth, depth);
             surface.SprayVertices = look.Spray * SprayBuffers.VerticesPerDrop;
             if (look.Spray > 0)
-                water.Spray.Prepare(new SprayBuffers(surface.Spray.Particles, surface.Spray.DrawArguments, look.Spray, spacing), look.SprayShutter, placement, water.Thickness);
+            {
+                water.Spray.Prepare(new SprayBuffers(surface.Spray.Particles, surface.Spray.DrawArguments, look.Spray, spacing),
+                    look.SprayShutter, placement, water.Thickness);
+            }
         }
 
         /// <summary>For measurements: records how much water lies behind each pixel.</summary>
@@ -70,7 +77,8 @@ namespace SphFluid.Laboratory
         /// <summary>For measurements: records the water.</summary>
         /// <param name="cmd">Command buffer whose target and view are set.</param>
         public void RecordWater(CommandBuffer cmd) =>
-            cmd.DrawProceduralIndirect(buffers.Indices, Matrix4x4.identity, water.Material, ForwardPass, MeshTopology.Triangles, buffers.Arguments, 0, water.Block);
+            cmd.DrawProceduralIndirect(buffers.Indices, Matrix4x4.identity, water.Material, ForwardPass, MeshTopology.Triangles,
+                buffers.Arguments, 0, water.Block);
 
         /// <summary>For measurements: records the spray in front of the water.</summary>
         /// <param name="cmd">Command buffer whose target and view are set.</param>

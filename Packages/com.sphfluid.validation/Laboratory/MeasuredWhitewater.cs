@@ -4,17 +4,19 @@ using UnityEngine.Rendering;
 
 namespace SphFluid.Laboratory
 {
-    /// <summary>Whitewater around a liquid's particles, a part of it in each, moved and drawn in a command buffer: to measure what it costs.</summary>
+    /// <summary>
+    /// Whitewater around a liquid's particles, a part of it in each, moved and drawn in a command buffer: to measure what it costs.
+    /// </summary>
     public sealed class MeasuredWhitewater : IDisposable
     {
         // Of a frame at 60 a second.
-        const float Duration = 1f / 60f;
+        private const float Duration = 1f / 60f;
 
-        readonly WhitewaterBuffers buffers;
-        readonly WhitewaterMotionPass motion;
-        readonly WhitewaterPotentialsPass potentials;
-        readonly WhitewaterListPass list;
-        readonly WhitewaterDrawing drawing;
+        private readonly WhitewaterBuffers buffers;
+        private readonly WhitewaterMotionPass motion;
+        private readonly WhitewaterPotentialsPass potentials;
+        private readonly WhitewaterListPass list;
+        private readonly WhitewaterDrawing drawing;
 
         /// <summary>Whitewater without any particles yet.</summary>
         /// <param name="shaders">The shaders.</param>
@@ -35,7 +37,10 @@ namespace SphFluid.Laboratory
         /// <summary>Whether it has its particles.</summary>
         public bool IsFilled { get; private set; }
 
-        /// <summary>Waits for the GPU and puts a particle of whitewater beside each of the liquid's, spread by half a spacing, foam where the motion finds it to be.</summary>
+        /// <summary>
+        /// Waits for the GPU and puts a particle of whitewater beside each of the liquid's, spread by half a spacing, foam where the motion
+        /// finds it to be.
+        /// </summary>
         /// <param name="solver">The liquid.</param>
         public void Fill(FluidSolver solver)
         {
@@ -45,8 +50,10 @@ namespace SphFluid.Laboratory
             var pieces = new float[buffers.Capacity * WhitewaterBuffers.Stride / sizeof(float)];
             for (int i = 0; i < buffers.Capacity; i++)
             {
-                Vector3 place = particles[i % particles.Length].Position + solver.Settings.Spacing * Offset(random), speed = particles[i % particles.Length].VelT1;
-                float[] piece = { place.x, place.y, place.z, 1e6f, speed.x, speed.y, speed.z, BitConverter.Int32BitsToSingle(random.Next(1 << 28) << 2), 0f, 1f, 0f, 1f };
+                Vector3 place = particles[i % particles.Length].Position + solver.Settings.Spacing * Offset(random),
+                    speed = particles[i % particles.Length].VelT1;
+                float[] piece = { place.x, place.y, place.z, 1e6f, speed.x, speed.y, speed.z,
+                    BitConverter.Int32BitsToSingle(random.Next(1 << 28) << 2), 0f, 1f, 0f, 1f };
                 Array.Copy(piece, 0, pieces, i * piece.Length, piece.Length);
             }
             buffers.Present.SetData(pieces);
@@ -62,7 +69,8 @@ namespace SphFluid.Laboratory
         /// <param name="solver">The liquid.</param>
         public void Record(CommandBuffer cmd, FluidSolver solver)
         {
-            cmd.SetBufferData((GraphicsBuffer)buffers.State, new uint[WhitewaterBuffers.SlotsOfFrame], 0, WhitewaterBuffers.FirstOfFrame, WhitewaterBuffers.SlotsOfFrame);
+            cmd.SetBufferData((GraphicsBuffer)buffers.State, new uint[WhitewaterBuffers.SlotsOfFrame], 0, WhitewaterBuffers.FirstOfFrame,
+                WhitewaterBuffers.SlotsOfFrame);
             motion.Record(cmd, solver, buffers, Duration);
             potentials.Record(cmd, solver, buffers, 1f, Duration);
             list.Record(cmd, solver, buffers, 0, 3f, Duration);
@@ -74,7 +82,8 @@ namespace SphFluid.Laboratory
         /// <param name="solver">The liquid; its domain is centred on the origin.</param>
         public void Draw(CommandBuffer cmd, FluidSolver solver)
         {
-            drawing.Fill(buffers, solver.Settings.Spacing, 1f, Color.white, new DrawPlacement(Matrix4x4.identity, solver.Settings.DomainSize, 0f, 0, false));
+            drawing.Fill(buffers, solver.Settings.Spacing, 1f, Color.white,
+                new DrawPlacement(Matrix4x4.identity, solver.Settings.DomainSize, 0f, 0, false));
             drawing.Record(cmd);
         }
 
@@ -85,7 +94,7 @@ namespace SphFluid.Laboratory
             buffers.Dispose();
         }
 
-        static Vector3 Offset(System.Random random) =>
+        private static Vector3 Offset(System.Random random) =>
             new Vector3((float)random.NextDouble() - 0.5f, (float)random.NextDouble() - 0.5f, (float)random.NextDouble() - 0.5f);
     }
 }

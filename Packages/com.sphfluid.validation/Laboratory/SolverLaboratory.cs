@@ -16,7 +16,10 @@ namespace SphFluid.Laboratory
         public static void SetUnchecked(FluidSolver solver, in FluidSolverSettings settings)
         {
             if (settings.Method != solver.Kind)
-                throw new ArgumentException($"The solver computes by {solver.Kind}, and the settings are for {settings.Method}.", nameof(settings));
+            {
+                throw new ArgumentException($"The solver computes by {solver.Kind}, and the settings are for {settings.Method}.",
+                    nameof(settings));
+            }
             solver.State.Settings = settings;
         }
 
@@ -32,7 +35,9 @@ namespace SphFluid.Laboratory
         {
             if (without == null) solver.Stepper.RecordNeighbourSetup(cmd);
             else if (solver.Stepper is ThesisStepper thesis) thesis.RecordNeighbourSetupWithout(cmd, without);
-            else throw new ArgumentException($"The method {solver.Kind} cannot leave out '{without}' of the neighbour setup: it needs all of its passes.", nameof(without));
+            else throw new ArgumentException(
+                $"The method {solver.Kind} cannot leave out '{without}' of the neighbour setup: it needs all of its passes.",
+                nameof(without));
         }
     }
 }

@@ -7,8 +7,8 @@ namespace SphFluid.Laboratory
     /// <summary>For measurements only: the sparse surface's field as numbers, for polygonisers that it is compared with.</summary>
     public sealed class SparseFieldReader : IDisposable
     {
-        readonly SurfacePasses passes;
-        readonly SurfaceBlocks blocks = new SurfaceBlocks();
+        private readonly SurfacePasses passes;
+        private readonly SurfaceBlocks blocks = new SurfaceBlocks();
 
         /// <summary>For measurements: prepares the kernels.</summary>
         /// <param name="shaders">The shaders.</param>
@@ -49,7 +49,7 @@ namespace SphFluid.Laboratory
             blocks.Dispose();
         }
 
-        float[] Gather(SurfaceGrid grid)
+        private float[] Gather(SurfaceGrid grid)
         {
             var values = new float[grid.VertexCount];
             for (int i = 0; i < values.Length; i++) values[i] = float.NaN;
@@ -70,14 +70,16 @@ namespace SphFluid.Laboratory
             return values;
         }
 
-        static void Copy(float[] samples, int first, Vector3Int origin, SurfaceGrid grid, float[] values)
+        private static void Copy(float[] samples, int first, Vector3Int origin, SurfaceGrid grid, float[] values)
         {
             const int side = SurfaceBlocks.SamplesPerSide;
             for (int i = 0; i < SurfaceBlocks.SamplesPerBlock; i++)
             {
                 Vector3Int v = origin + new Vector3Int(i % side, i / side % side, i / (side * side));
                 if (Vector3Int.Max(Vector3Int.zero, Vector3Int.Min(grid.Cells, v)) == v)
+                {
                     values[grid.Index(v.x, v.y, v.z)] = samples[first + i];
+                }
             }
         }
     }

@@ -4,14 +4,16 @@ using static System.FormattableString;
 
 namespace SphFluid.Editor
 {
-    /// <summary>What a domain holds and costs, before a start by rule and measurement, in play as it is; as the inspector shows it.</summary>
+    /// <summary>
+    /// What a domain holds and costs, before a start by rule and measurement, in play as it is; as the inspector shows it.
+    /// </summary>
     public readonly struct DomainText
     {
-        const double Mebibyte = 1024.0 * 1024.0;
-        const int Frames = 60; // a second
-        const double FrameTime = 1.0 / Frames;
+        private const double Mebibyte = 1024.0 * 1024.0;
+        private const int Frames = 60; // a second
+        private const double FrameTime = 1.0 / Frames;
 
-        DomainText(List<(string, string)> lines) => Lines = lines;
+        private DomainText(List<(string, string)> lines) => Lines = lines;
 
         /// <summary>Labels and values.</summary>
         public IReadOnlyList<(string Label, string Value)> Lines { get; }
@@ -38,7 +40,7 @@ namespace SphFluid.Editor
         }
 
         // Particles fill a volume, and steps are as long as the spacing.
-        static string Finer(FluidPreview preview, double steps)
+        private static string Finer(FluidPreview preview, double steps)
         {
             if (preview.Particles == 0) return "depends on what is poured";
             long particles = 8L * preview.Particles;
@@ -47,11 +49,13 @@ namespace SphFluid.Editor
             return Invariant($"{particles:N0} particles, {2.0 * steps:0.#} steps a frame{cost}; class {Class(preview, 2.0)}");
         }
 
-        static string Class(FluidPreview preview, double finer)
+        private static string Class(FluidPreview preview, double finer)
         {
             if (preview.Particles == 0) return "depends on what is poured";
             FluidSolverSettings constants = preview.Constants;
-            return preview.Depth > 0f ? ErrorClass.Describe(constants.Method, constants.SupportRadius / constants.Spacing, finer * preview.Depth / constants.Spacing)
+            return preview.Depth > 0f
+                ? ErrorClass.Describe(constants.Method, constants.SupportRadius / constants.Spacing,
+                    finer * preview.Depth / constants.Spacing)
                 : "none: without gravity there are no waves to measure it by";
         }
 
@@ -64,7 +68,8 @@ namespace SphFluid.Editor
         {
             if (particles == 0) return "depends on what is poured";
             return StepCosts.TryFind(key, particles, out StepCost cost)
-                ? Invariant($"about {cost.Milliseconds * steps:0.00} ms for the steps, by the last run with {cost.Particles:N0} particles on {SystemInfo.graphicsDeviceName}")
+                ? Invariant($"about {cost.Milliseconds * steps:0.00} ms for the steps, by the last run with {cost.Particles:N0} ") +
+                    Invariant($"particles on {SystemInfo.graphicsDeviceName}")
                 : StepTimer.IsSupported ? "not measured on this device yet: look at it here in play" : "this device reports no GPU times";
         }
 
@@ -76,7 +81,8 @@ namespace SphFluid.Editor
             ("Particles", Particles(simulation.ParticleCount, simulation.RemovedParticles)),
             Cells(simulation.Solver.Settings),
             ("GPU memory", Invariant($"{simulation.GpuBytes / Mebibyte:0.0} MiB, without what draws it")),
-            ("Steps a frame", simulation.Timer == null || simulation.Timer.FrameCount == 0 ? Invariant($"{FrameTime / simulation.TimeStep:0.#} at {Frames} frames a second")
+            ("Steps a frame", simulation.Timer == null || simulation.Timer.FrameCount == 0
+                ? Invariant($"{FrameTime / simulation.TimeStep:0.#} at {Frames} frames a second")
                 : Invariant($"{simulation.Timer.StepsAFrame:0.#}")),
             ("GPU time a frame", Measured(simulation.Timer)),
         });

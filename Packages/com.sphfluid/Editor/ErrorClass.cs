@@ -4,15 +4,18 @@ using static System.FormattableString;
 namespace SphFluid.Editor
 {
     /// <summary>
-    /// How wrong a liquid's waves are at best, by how many particles deep it is: the error of a standing wave's period, the case standing-wave of the
-    /// validation package. A: up to 2 %, B: up to 5 %, C: up to 10 %, D: more. Other motion errs otherwise; the class is for comparing spacings.
+    /// How wrong a liquid's waves are at best, by how many particles deep it is: the error of a standing wave's period, the case
+    /// standing-wave of the validation package. A: up to 2 %, B: up to 5 %, C: up to 10 %, D: more. Other motion errs otherwise; the class
+    /// is for comparing spacings.
     /// </summary>
     public static class ErrorClass
     {
         /// <summary>Largest error of the classes A, B and C.</summary>
         public static readonly IReadOnlyList<double> Limits = new[] { 0.02, 0.05, 0.1 };
 
-        /// <summary>The chart in the repository that the numbers come from: <c>ErrorClassTests</c> of the validation package compares them.</summary>
+        /// <summary>
+        /// The chart in the repository that the numbers come from: <c>ErrorClassTests</c> of the validation package compares them.
+        /// </summary>
         public const string Chart = "benchmarks/accuracy/llvmpipe-2026-11-25";
 
         /// <summary>What was measured of a method with a κ.</summary>
@@ -76,7 +79,9 @@ namespace SphFluid.Editor
                 for (int i = 0; i < Limits.Count; i++)
                 {
                     if (row.Depths[i] > 0 && particles >= row.Depths[i] - 0.5)
+                    {
                         return Invariant($"{(char)('A' + i)}, waves within {100.0 * Limits[i]:0} %: {deep}{finer}");
+                    }
                 }
                 return Invariant($"D, waves wrong by more than {100.0 * Limits[Limits.Count - 1]:0} %: {deep}");
             }

@@ -2,14 +2,17 @@ using UnityEngine;
 
 namespace SphFluid.Editor
 {
-    /// <summary>The faces of a domain box that are not plain walls: periodic and open ones tinted, moving walls with their displacement in a tenth of a second.</summary>
+    /// <summary>
+    /// The faces of a domain box that are not plain walls: periodic and open ones tinted, moving walls with their displacement in a tenth
+    /// of a second.
+    /// </summary>
     internal static class FaceGizmos
     {
-        const float Tint = 0.08f;
-        const float Seconds = 0.1f;
-        static readonly Color PeriodicColor = new Color(0.4f, 1f, 0.5f, 1f);
-        static readonly Color OpenColor = new Color(0.9f, 0.4f, 1f, 1f);
-        static readonly Color WallColor = new Color(1f, 0.7f, 0.2f, 1f);
+        private const float Tint = 0.08f;
+        private const float Seconds = 0.1f;
+        private static readonly Color PeriodicColor = new Color(0.4f, 1f, 0.5f, 1f);
+        private static readonly Color OpenColor = new Color(0.9f, 0.4f, 1f, 1f);
+        private static readonly Color WallColor = new Color(1f, 0.7f, 0.2f, 1f);
 
         /// <summary>Draws in the box's space, which is set as the gizmos' matrix.</summary>
         public static void Draw(in FluidBoundaries faces, Vector3 size, float alpha)
@@ -22,7 +25,7 @@ namespace SphFluid.Editor
             Face(faces, FluidFaces.HighZ, Vector3.forward, size, alpha, faces.HighZ);
         }
 
-        static void Face(in FluidBoundaries faces, FluidFaces face, Vector3 normal, Vector3 size, float alpha, Vector3 velocity)
+        private static void Face(in FluidBoundaries faces, FluidFaces face, Vector3 normal, Vector3 size, float alpha, Vector3 velocity)
         {
             Vector3 outwards = Vector3.Scale(normal, size);
             Vector3 center = 0.5f * outwards;
@@ -39,6 +42,6 @@ namespace SphFluid.Editor
             }
         }
 
-        static Color WithAlpha(Color color, float alpha) => new Color(color.r, color.g, color.b, alpha);
+        private static Color WithAlpha(Color color, float alpha) => new Color(color.r, color.g, color.b, alpha);
     }
 }

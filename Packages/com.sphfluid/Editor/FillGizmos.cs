@@ -3,16 +3,20 @@ using UnityEngine;
 
 namespace SphFluid.Editor
 {
-    /// <summary>The particles of a start as points in the Scene view, and the places where vessels leak, of the simulations that an inspector looks at.</summary>
-    static class FillGizmos
+    /// <summary>
+    /// The particles of a start as points in the Scene view, and the places where vessels leak, of the simulations that an inspector looks
+    /// at.
+    /// </summary>
+    internal static class FillGizmos
     {
-        const float Arm = 0.18f; // of the spacing, where all particles are shown
-        const float LeakSize = 3f; // of the spacing
+        private const float Arm = 0.18f; // of the spacing, where all particles are shown
+        private const float LeakSize = 3f; // of the spacing
 
-        static readonly Color LeakColor = new Color(1f, 0.25f, 0.2f, 1f);
-        [OutlivesPlay("inspectors forget what they show")] static readonly Dictionary<FluidSimulation, PreviewMemory> Known = new Dictionary<FluidSimulation, PreviewMemory>();
-        [OutlivesPlay("nothing is drawn in play")] static FillPoints drawn;
-        [OutlivesPlay("nothing is drawn in play")] static Vector3[] segments;
+        private static readonly Color LeakColor = new Color(1f, 0.25f, 0.2f, 1f);
+        [OutlivesPlay("inspectors forget what they show")]
+        private static readonly Dictionary<FluidSimulation, PreviewMemory> Known = new Dictionary<FluidSimulation, PreviewMemory>();
+        [OutlivesPlay("nothing is drawn in play")] private static FillPoints drawn;
+        [OutlivesPlay("nothing is drawn in play")] private static Vector3[] segments;
 
         /// <summary>What is known of a simulation's start is shown while the simulation or one of its volumes is selected.</summary>
         public static void Show(FluidSimulation simulation, PreviewMemory memory) => Known[simulation] = memory;
@@ -38,7 +42,10 @@ namespace SphFluid.Editor
             foreach (Vector3 leak in memory.Leaks)
             {
                 Gizmos.DrawWireSphere(leak, LeakSize * simulation.Spacing);
-                Gizmos.DrawLine(leak, leak + 4f * LeakSize * simulation.Spacing * simulation.transform.InverseTransformDirection(-simulation.EffectiveGravity.normalized));
+                Gizmos.DrawLine(leak,
+                    leak +
+                        4f * LeakSize * simulation.Spacing *
+                            simulation.transform.InverseTransformDirection(-simulation.EffectiveGravity.normalized));
             }
         }
 

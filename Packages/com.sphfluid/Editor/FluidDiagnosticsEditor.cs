@@ -7,10 +7,11 @@ namespace SphFluid.Editor
     [CustomEditor(typeof(FluidDiagnostics)), CanEditMultipleObjects]
     public sealed class FluidDiagnosticsEditor : UnityEditor.Editor
     {
-        FluidDiagnostics Diagnostics => (FluidDiagnostics)target;
+        private FluidDiagnostics Diagnostics => (FluidDiagnostics)target;
 
         /// <inheritdoc/>
-        public override bool RequiresConstantRepaint() => Application.isPlaying && !serializedObject.isEditingMultipleObjects && Diagnostics.isActiveAndEnabled;
+        public override bool RequiresConstantRepaint() => Application.isPlaying && !serializedObject.isEditingMultipleObjects &&
+            Diagnostics.isActiveAndEnabled;
 
         /// <inheritdoc/>
         public override void OnInspectorGUI()
@@ -26,18 +27,25 @@ namespace SphFluid.Editor
             }
             EditorGUILayout.Space();
             EditorGUILayout.LabelField("Findings", EditorStyles.boldLabel);
-            if (Diagnostics.Findings.Count == 0) EditorGUILayout.LabelField(Diagnostics.MeasurementCount > 0 ? "none" : "nothing measured yet");
+            if (Diagnostics.Findings.Count == 0)
+            {
+                EditorGUILayout.LabelField(Diagnostics.MeasurementCount > 0 ? "none" : "nothing measured yet");
+            }
             foreach (FluidFinding finding in Diagnostics.Findings)
-                EditorGUILayout.HelpBox($"{ObjectNames.NicifyVariableName(finding.Failure.ToString())}: {finding.Text} {finding.Cure}", MessageType.Warning);
+            {
+                EditorGUILayout.HelpBox($"{ObjectNames.NicifyVariableName(finding.Failure.ToString())}: {finding.Text} {finding.Cure}",
+                    MessageType.Warning);
+            }
             if (Diagnostics.MeasurementCount > 0) DrawStatistics(Diagnostics.Statistics);
         }
 
-        static void DrawStatistics(in FluidStatistics statistics)
+        private static void DrawStatistics(in FluidStatistics statistics)
         {
             EditorGUILayout.Space();
             EditorGUILayout.LabelField("Statistics", EditorStyles.boldLabel);
             EditorGUILayout.LabelField("At", $"{statistics.Time:0.000} s");
-            EditorGUILayout.LabelField("Energy", $"{statistics.Energy:G4} J (kinetic {statistics.KineticEnergy:G3}, elastic {statistics.ElasticEnergy:G3})");
+            EditorGUILayout.LabelField("Energy",
+                $"{statistics.Energy:G4} J (kinetic {statistics.KineticEnergy:G3}, elastic {statistics.ElasticEnergy:G3})");
             EditorGUILayout.LabelField("Fastest", $"{statistics.MaxSpeed:G3} m/s");
             EditorGUILayout.LabelField("Density / rest density", $"{statistics.MinDensityRatio:0.00} to {statistics.MaxDensityRatio:0.00}");
             EditorGUILayout.LabelField("Mean compression", $"{100.0 * statistics.MeanCompression:0.0} %");

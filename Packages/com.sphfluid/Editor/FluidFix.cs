@@ -9,9 +9,9 @@ namespace SphFluid.Editor
     /// <summary>An undoable cure for a message.</summary>
     public readonly struct FluidFix
     {
-        readonly Action action;
+        private readonly Action action;
 
-        FluidFix(string label, Action action)
+        private FluidFix(string label, Action action)
         {
             Label = label;
             this.action = action;
@@ -36,7 +36,8 @@ namespace SphFluid.Editor
                     return Change(simulation, "Use Water", () => simulation.Profile = PackageAssets.Water);
                 case FluidIssue.ShadersMissing when context is FluidProfile profile && PackageAssets.Shaders != null:
                     return Change(profile, "Use Package Shaders", () => profile.Shaders = PackageAssets.Shaders);
-                case FluidIssue.ShadersMissing when context is FluidShaderSet set && PackageAssets.Shaders != null && set != PackageAssets.Shaders:
+                case FluidIssue.ShadersMissing when context is FluidShaderSet set && PackageAssets.Shaders != null &&
+                    set != PackageAssets.Shaders:
                     return Change(set, "Use Package Shaders", () => EditorUtility.CopySerializedIfDifferent(PackageAssets.Shaders, set));
                 case FluidIssue.TransformScaled:
                     return UnitScale(simulation);
@@ -58,7 +59,8 @@ namespace SphFluid.Editor
                     return Change(simulation, "Coarsen Spacing", () => Coarsen(simulation));
                 case FluidIssue.TooManyCells:
                     return Change(simulation, "Coarsen Spacing", () => simulation.Spacing = CellChecks.FittingSpacing(simulation.Spec));
-                case FluidIssue.MethodChoice when message.Severity == FluidSeverity.Warning && message.Cure.StartsWith(MethodChoiceText.SpacingCure, StringComparison.Ordinal):
+                case FluidIssue.MethodChoice when message.Severity == FluidSeverity.Warning &&
+                    message.Cure.StartsWith(MethodChoiceText.SpacingCure, StringComparison.Ordinal):
                     return Change(simulation, "Coarsen Spacing", () => CoarsenForBudget(simulation));
                 case FluidIssue.VolumeSizeInvalid when context is FluidVolume volume && !(Smallest(volume.Size) > 0f):
                     return Change(volume, "Make Positive", () => volume.Size = Positive(volume.Size));
@@ -71,7 +73,7 @@ namespace SphFluid.Editor
             }
         }
 
-        static FluidFix Change(Object target, string label, Action change) => new FluidFix(label, () =>
+        private static FluidFix Change(Object target, string label, Action change) => new FluidFix(label, () =>
         {
             Undo.RecordObject(target, label);
             change();
@@ -79,13 +81,17 @@ namespace SphFluid.Editor
             PrefabUtility.RecordPrefabInstancePropertyModifications(target);
         });
 
-        static FluidFix? UnitScale(FluidSimulation simulation)
+        private static FluidFix? UnitScale(FluidSimulation simulation)
         {
             Transform transform = simulation.transform;
-            return ScaleForOne(transform) is Vector3 scale ? Change(transform, "Set Scale to 1", () => transform.localScale = scale) : (FluidFix?)null;
+            return ScaleForOne(transform) is Vector3 scale ? Change(transform, "Set Scale to 1", () => transform.localScale = scale)
+                : (FluidFix?)null;
         }
 
-        /// <summary>The local scale with which an object has scale 1 in the world; null where its parents allow none. A scaled parent is not ours to change.</summary>
+        /// <summary>
+        /// The local scale with which an object has scale 1 in the world; null where its parents allow none. A scaled parent is not ours to
+        /// change.
+        /// </summary>
         internal static Vector3? ScaleForOne(Transform transform)
         {
             Vector3 parent = transform.parent != null ? transform.parent.lossyScale : Vector3.one;
@@ -93,7 +99,7 @@ namespace SphFluid.Editor
             return allows ? new Vector3(1f / parent.x, 1f / parent.y, 1f / parent.z) : (Vector3?)null;
         }
 
-        static FluidFix? MakeReadable(Mesh mesh)
+        private static FluidFix? MakeReadable(Mesh mesh)
         {
             if (!(AssetImporter.GetAtPath(AssetDatabase.GetAssetPath(mesh)) is ModelImporter importer)) return null;
             return new FluidFix("Enable Read/Write", () =>
@@ -104,27 +110,34 @@ namespace SphFluid.Editor
         }
 
         // Layers come and go whole, so the fitted spacing may still be a few particles above the cap.
-        static void Coarsen(FluidSimulation simulation)
+        private static void Coarsen(FluidSimulation simulation)
         {
             simulation.Spacing = simulation.SpacingForParticleCount(simulation.Profile.MaxParticles);
-            for (int i = 0; i < 50 && simulation.Validate().Any(m => m.Issue == FluidIssue.TooManyParticles); i++) simulation.Spacing *= 1.01f;
+            for (int i = 0; i < 50 && simulation.Validate().Any(m => m.Issue == FluidIssue.TooManyParticles); i++)
+            {
+                simulation.Spacing *= 1.01f;
+            }
         }
 
-        static void CoarsenForBudget(FluidSimulation simulation)
+        private static void CoarsenForBudget(FluidSimulation simulation)
         {
-            if (FluidSimulationChecks.PreviewChoice(simulation) is FluidMethodChoice choice && choice.ProposedSpacing > 0f) simulation.Spacing = choice.ProposedSpacing;
+            if (FluidSimulationChecks.PreviewChoice(simulation) is FluidMethodChoice choice && choice.ProposedSpacing > 0f)
+            {
+                simulation.Spacing = choice.ProposedSpacing;
+            }
         }
 
-        static float FittingSpacing(FluidSimulation simulation)
+        private static float FittingSpacing(FluidSimulation simulation)
         {
             Vector3 size = Positive(simulation.DomainSize);
             return Smallest(size) / 40f;
         }
 
-        static Vector3 Positive(Vector3 size) => new Vector3(Positive(size.x), Positive(size.y), Positive(size.z));
+        private static Vector3 Positive(Vector3 size) => new Vector3(Positive(size.x), Positive(size.y), Positive(size.z));
 
-        static float Positive(float value) => value < 0f && !float.IsInfinity(value) ? -value : value > 0f && !float.IsInfinity(value) ? value : 1f;
+        private static float Positive(float value) => value < 0f && !float.IsInfinity(value) ? -value : value > 0f &&
+            !float.IsInfinity(value) ? value : 1f;
 
-        static float Smallest(Vector3 v) => Mathf.Min(v.x, Mathf.Min(v.y, v.z));
+        private static float Smallest(Vector3 v) => Mathf.Min(v.x, Mathf.Min(v.y, v.z));
     }
 }

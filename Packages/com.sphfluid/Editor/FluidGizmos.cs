@@ -11,12 +11,12 @@ namespace SphFluid.Editor
         public static readonly Color DrainColor = new Color(1f, 0.55f, 0.1f, 1f);
         public static readonly Color ZoneColor = new Color(0.55f, 0.9f, 0.35f, 1f);
         public static readonly Color SensorColor = new Color(1f, 0.9f, 0.3f, 1f);
-        const float SensorSize = 0.03f; // m
-        const float Faint = 0.4f;
-        const float Fill = 0.12f;
+        private const float SensorSize = 0.03f; // m
+        private const float Faint = 0.4f;
+        private const float Fill = 0.12f;
 
         [DrawGizmo(GizmoType.Selected | GizmoType.NonSelected | GizmoType.Pickable)]
-        static void DrawDomain(FluidSimulation simulation, GizmoType type)
+        private static void DrawDomain(FluidSimulation simulation, GizmoType type)
         {
             Color color = DomainColor;
             if ((type & GizmoType.Selected) == 0) color.a = Faint;
@@ -28,7 +28,7 @@ namespace SphFluid.Editor
         }
 
         [DrawGizmo(GizmoType.Selected | GizmoType.NonSelected | GizmoType.Pickable)]
-        static void DrawVolume(FluidVolume volume, GizmoType type)
+        private static void DrawVolume(FluidVolume volume, GizmoType type)
         {
             bool selected = (type & GizmoType.Selected) != 0;
             Color color = VolumeColor;
@@ -48,7 +48,7 @@ namespace SphFluid.Editor
         /// <summary>Whether a shape is as large as its volume's Size says.</summary>
         internal static bool HasSize(FluidVolumeShape shape) => shape == FluidVolumeShape.Box || shape == FluidVolumeShape.Sphere;
 
-        static void DrawShape(FluidVolume volume, bool solid)
+        private static void DrawShape(FluidVolume volume, bool solid)
         {
             switch (volume.Shape)
             {
@@ -74,7 +74,7 @@ namespace SphFluid.Editor
         }
 
         [DrawGizmo(GizmoType.Selected | GizmoType.NonSelected | GizmoType.Pickable)]
-        static void DrawEmitter(FluidEmitter emitter, GizmoType type)
+        private static void DrawEmitter(FluidEmitter emitter, GizmoType type)
         {
             EmitterSpec spec = emitter.Spec;
             Color color = VolumeColor;
@@ -87,11 +87,12 @@ namespace SphFluid.Editor
             Gizmos.DrawLine(new Vector3(0f, 0f, arrow), new Vector3(-0.15f * arrow, 0f, 0.75f * arrow));
             if (spec.UnderWater) DrawPipe(emitter, spec);
             if (spec.Shape == FluidEmitterShape.Disc) DrawEllipse(0.5f * spec.Size);
-            else if (spec.Shape == FluidEmitterShape.Mesh && spec.Mesh != null) Gizmos.DrawWireMesh(spec.Mesh, Vector3.zero, Quaternion.identity, spec.Scale);
+            else if (spec.Shape == FluidEmitterShape.Mesh &&
+                spec.Mesh != null) Gizmos.DrawWireMesh(spec.Mesh, Vector3.zero, Quaternion.identity, spec.Scale);
             else Gizmos.DrawWireCube(Vector3.zero, new Vector3(spec.Size.x, spec.Shape == FluidEmitterShape.Line ? 0f : spec.Size.y, 0f));
         }
 
-        static void DrawEllipse(Vector2 half)
+        private static void DrawEllipse(Vector2 half)
         {
             const int sides = 32;
             var last = new Vector3(half.x, 0f, 0f);
@@ -105,7 +106,7 @@ namespace SphFluid.Editor
         }
 
         [DrawGizmo(GizmoType.Selected | GizmoType.NonSelected | GizmoType.Pickable)]
-        static void DrawDrain(FluidDrain drain, GizmoType type)
+        private static void DrawDrain(FluidDrain drain, GizmoType type)
         {
             DrainSpec spec = drain.Spec;
             Color color = DrainColor;
@@ -122,7 +123,7 @@ namespace SphFluid.Editor
         }
 
         [DrawGizmo(GizmoType.Selected | GizmoType.NonSelected | GizmoType.Pickable)]
-        static void DrawZone(FluidForceZone zone, GizmoType type)
+        private static void DrawZone(FluidForceZone zone, GizmoType type)
         {
             ZoneSpec spec = zone.Spec;
             Color color = ZoneColor;
@@ -140,12 +141,15 @@ namespace SphFluid.Editor
             }
             float arrow = 0.5f * spec.Size.z;
             Gizmos.matrix = Matrix4x4.TRS(spec.Position, spec.Rotation, Vector3.one);
-            if (spec.Kind == FluidForceKind.Directional || spec.Kind == FluidForceKind.Wind) Gizmos.DrawLine(Vector3.zero, new Vector3(0f, 0f, arrow));
+            if (spec.Kind == FluidForceKind.Directional || spec.Kind == FluidForceKind.Wind)
+            {
+                Gizmos.DrawLine(Vector3.zero, new Vector3(0f, 0f, arrow));
+            }
             if (spec.Kind == FluidForceKind.Vortex) Gizmos.DrawLine(new Vector3(0f, -arrow, 0f), new Vector3(0f, arrow, 0f));
         }
 
         // The wall that liquid collides with, for the simulation that the emitter belongs to.
-        static void DrawPipe(FluidEmitter emitter, in EmitterSpec spec)
+        private static void DrawPipe(FluidEmitter emitter, in EmitterSpec spec)
         {
             FluidSimulation owner = FluidScene.Owner(emitter, emitter.Simulation, SceneObjects.Find<FluidSimulation>(emitter));
             if (owner == null || EmitterChecks.Check(spec, owner.Spec) != null) return;
@@ -154,7 +158,7 @@ namespace SphFluid.Editor
         }
 
         [DrawGizmo(GizmoType.Selected | GizmoType.NonSelected | GizmoType.Pickable)]
-        static void DrawSensor(FluidSensor sensor, GizmoType type)
+        private static void DrawSensor(FluidSensor sensor, GizmoType type)
         {
             Color color = SensorColor;
             color.a = (type & GizmoType.Selected) != 0 || sensor.IsAbove ? 1f : Faint;
@@ -169,7 +173,7 @@ namespace SphFluid.Editor
         }
 
         // The point that the vessel is filled round, and the height of the surface above it.
-        static void DrawLevel(FluidVolume volume)
+        private static void DrawLevel(FluidVolume volume)
         {
             FluidSimulation owner = volume.Simulation != null ? volume.Simulation : volume.GetComponentInParent<FluidSimulation>();
             Vector3 gravity = owner != null ? owner.EffectiveGravity : Physics.gravity;

@@ -8,10 +8,11 @@ namespace SphFluid.Editor
     [CanEditMultipleObjects]
     public sealed class FluidInstrumentEditor : UnityEditor.Editor
     {
-        FluidInstrument Shown => (FluidInstrument)target;
+        private FluidInstrument Shown => (FluidInstrument)target;
 
         /// <inheritdoc/>
-        public override bool RequiresConstantRepaint() => Application.isPlaying && !serializedObject.isEditingMultipleObjects && Shown.isActiveAndEnabled;
+        public override bool RequiresConstantRepaint() => Application.isPlaying && !serializedObject.isEditingMultipleObjects &&
+            Shown.isActiveAndEnabled;
 
         /// <inheritdoc/>
         public override void OnInspectorGUI()
@@ -26,7 +27,10 @@ namespace SphFluid.Editor
             if (Shown.Problem is FluidMessage problem) EditorGUILayout.HelpBox($"{problem.Text} {problem.Cure}", MessageType.Warning);
             if (!Application.isPlaying) return;
             foreach (FluidReading reading in Shown.Readings)
-                EditorGUILayout.LabelField(ObjectNames.NicifyVariableName(InstrumentText.NameOf(reading)), InstrumentText.Describe(reading));
+            {
+                EditorGUILayout.LabelField(ObjectNames.NicifyVariableName(InstrumentText.NameOf(reading)),
+                    InstrumentText.Describe(reading));
+            }
         }
     }
 }

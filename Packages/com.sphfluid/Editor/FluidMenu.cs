@@ -6,16 +6,17 @@ using UnityEngine;
 namespace SphFluid.Editor
 {
     /// <summary>
-    /// GameObject menu entries that make a working set-up, each one undo step. What has no parent stands where the Scene view looks, on what lies below.
+    /// GameObject menu entries that make a working set-up, each one undo step. What has no parent stands where the Scene view looks, on
+    /// what lies below.
     /// </summary>
     public static class FluidMenu
     {
-        const string Root = "GameObject/Fluid/";
-        const int Priority = 11;
-        const float TankEdge = 0.03f; // m: more than the spacing, so that the floor below is no wall that the liquid tests against
+        private const string Root = "GameObject/Fluid/";
+        private const int Priority = 11;
+        private const float TankEdge = 0.03f; // m: more than the spacing, so that the floor below is no wall that the liquid tests against
 
-        static readonly Vector3 CubicMetre = new Vector3(1f, 1f, 1f);
-        static readonly Vector3 TankSize = new Vector3(1.6f, 0.9f, 0.8f); // m: about 16,000 particles
+        private static readonly Vector3 CubicMetre = new Vector3(1f, 1f, 1f);
+        private static readonly Vector3 TankSize = new Vector3(1.6f, 0.9f, 0.8f); // m: about 16,000 particles
 
         /// <summary>A glass tank with a block of water in a third of it.</summary>
         /// <param name="command">Where the menu was opened; its object becomes the parent.</param>
@@ -32,7 +33,9 @@ namespace SphFluid.Editor
         [MenuItem(Root + "Particles", false, Priority + 2)]
         public static void CreateWithParticles(MenuCommand command) => Create(command, typeof(FluidParticleRenderer));
 
-        /// <summary>A nozzle that points down, at the top of the simulation that the object belongs to; outside of one in a glass tank of its own.</summary>
+        /// <summary>
+        /// A nozzle that points down, at the top of the simulation that the object belongs to; outside of one in a glass tank of its own.
+        /// </summary>
         /// <param name="command">Where the menu was opened; its object becomes the parent.</param>
         [MenuItem(Root + "Emitter", false, Priority + 13)]
         public static void CreateEmitter(MenuCommand command) => InOneStep("Create Fluid Emitter", () =>
@@ -108,10 +111,11 @@ namespace SphFluid.Editor
         }
 
         /// <summary>A domain of a cubic metre without liquid, drawn as a surface.</summary>
-        internal static FluidSimulation EmptyDomain(string name, MenuCommand command) => Simulation(name, command, typeof(FluidSurfaceRenderer), CubicMetre, 0f);
+        internal static FluidSimulation EmptyDomain(string name, MenuCommand command) =>
+            Simulation(name, command, typeof(FluidSurfaceRenderer), CubicMetre, 0f);
 
         // Below the top by two spacings, as layers of particles leave it along its axis.
-        static void AddEmitter(FluidSimulation simulation, GameObject parent)
+        private static void AddEmitter(FluidSimulation simulation, GameObject parent)
         {
             GameObject child = NewObject("Fluid Emitter", parent, typeof(FluidEmitter));
             Transform domain = simulation.transform;
@@ -122,7 +126,7 @@ namespace SphFluid.Editor
             Selection.activeGameObject = child;
         }
 
-        static FluidSimulation Tank(string name, MenuCommand command)
+        private static FluidSimulation Tank(string name, MenuCommand command)
         {
             FluidSimulation simulation = Simulation(name, command, typeof(FluidSurfaceRenderer), TankSize, TankEdge);
             GameObject glass = NewObject("Glass", simulation.gameObject, typeof(MeshFilter), typeof(MeshRenderer), typeof(FluidTank));
@@ -131,14 +135,14 @@ namespace SphFluid.Editor
             return simulation;
         }
 
-        static void Create(MenuCommand command, Type renderer) => InOneStep("Create Fluid", () =>
+        private static void Create(MenuCommand command, Type renderer) => InOneStep("Create Fluid", () =>
         {
             FluidSimulation simulation = Simulation("Fluid", command, renderer, CubicMetre, 0f);
             AddVolume(simulation);
             Selection.activeGameObject = simulation.gameObject;
         });
 
-        static FluidSimulation Simulation(string name, MenuCommand command, Type renderer, Vector3 size, float margin)
+        private static FluidSimulation Simulation(string name, MenuCommand command, Type renderer, Vector3 size, float margin)
         {
             var parent = command.context as GameObject;
             GameObject root = NewObject(name, parent, typeof(FluidSimulation), renderer);
@@ -151,23 +155,27 @@ namespace SphFluid.Editor
             return simulation;
         }
 
-        static void CreateShape(MenuCommand command, string name, FluidVolumeShape shape) => InOneStep("Create " + name, () =>
+        private static void CreateShape(MenuCommand command, string name, FluidVolumeShape shape) => InOneStep("Create " + name, () =>
         {
             GameObject created = NewObject(name, command.context as GameObject, typeof(FluidVolume));
             var volume = created.GetComponent<FluidVolume>();
             volume.Shape = shape;
-            if (command.context == null) FluidPlacement.Stand(created.transform, FluidPlacement.Pivot, FluidGizmos.HasSize(shape) ? volume.Size : Vector3.zero);
+            if (command.context == null)
+            {
+                FluidPlacement.Stand(created.transform, FluidPlacement.Pivot, FluidGizmos.HasSize(shape) ? volume.Size : Vector3.zero);
+            }
             Selection.activeGameObject = created;
         });
 
-        static void CreatePart(MenuCommand command, string name, Type component) => InOneStep("Create " + name, () =>
+        private static void CreatePart(MenuCommand command, string name, Type component) => InOneStep("Create " + name, () =>
         {
             GameObject created = NewObject(name, command.context as GameObject, component);
             if (command.context == null) created.transform.position = FluidPlacement.Pivot;
             Selection.activeGameObject = created;
         });
 
-        static FluidSimulation SimulationOf(GameObject parent) => parent != null ? parent.GetComponentInParent<FluidSimulation>() : null;
+        private static FluidSimulation SimulationOf(GameObject parent) => parent != null
+            ? parent.GetComponentInParent<FluidSimulation>() : null;
 
         /// <summary>Makes objects in one step of undo.</summary>
         internal static void InOneStep(string name, Action make)
@@ -179,7 +187,7 @@ namespace SphFluid.Editor
             Undo.CollapseUndoOperations(group);
         }
 
-        static GameObject NewObject(string name, GameObject parent, params Type[] components)
+        private static GameObject NewObject(string name, GameObject parent, params Type[] components)
         {
             GameObject created = ObjectFactory.CreateGameObject(name, components); // registers the undo itself
             if (parent != null) GameObjectUtility.SetParentAndAlign(created, parent);

@@ -5,12 +5,14 @@ using UnityEngine;
 
 namespace SphFluid.Editor
 {
-    /// <summary>Inspector of profiles: the fields that the methods of the simulations with this profile read, the others folded away.</summary>
+    /// <summary>
+    /// Inspector of profiles: the fields that the methods of the simulations with this profile read, the others folded away.
+    /// </summary>
     [CustomEditor(typeof(FluidProfile)), CanEditMultipleObjects]
     public sealed class FluidProfileEditor : UnityEditor.Editor
     {
-        [OutlivesPlay("what the user has unfolded")] static bool showsOthers;
-        ProfileViscosity viscosity;
+        [OutlivesPlay("what the user has unfolded")] private static bool showsOthers;
+        private ProfileViscosity viscosity;
 
         /// <inheritdoc/>
         public override void OnInspectorGUI()
@@ -23,12 +25,13 @@ namespace SphFluid.Editor
             if (!serializedObject.isEditingMultipleObjects) (viscosity ??= new ProfileViscosity((FluidProfile)target)).Draw();
         }
 
-        void DrawUnread(IEnumerable<string> fields)
+        private void DrawUnread(IEnumerable<string> fields)
         {
             EditorGUILayout.Space();
             showsOthers = EditorGUILayout.Foldout(showsOthers, "Fields of Other Methods", true);
             if (!showsOthers) return;
-            EditorGUILayout.HelpBox("No simulation of the open scenes that uses this profile computes by a method that reads these.", MessageType.None);
+            EditorGUILayout.HelpBox("No simulation of the open scenes that uses this profile computes by a method that reads these.",
+                MessageType.None);
             foreach (string field in fields) EditorGUILayout.PropertyField(serializedObject.FindProperty(field), true);
         }
 

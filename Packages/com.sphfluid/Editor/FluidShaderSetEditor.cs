@@ -18,7 +18,7 @@ namespace SphFluid.Editor
             foreach (Object edited in targets) DrawMissing((FluidShaderSet)edited);
         }
 
-        static void DrawMissing(FluidShaderSet set)
+        private static void DrawMissing(FluidShaderSet set)
         {
             IReadOnlyList<string> missing = PackageShaders.Missing(set);
             if (missing.Count == 0) return;

@@ -11,16 +11,16 @@ namespace SphFluid.Editor
     [CustomEditor(typeof(FluidSimulation)), CanEditMultipleObjects]
     public sealed class FluidSimulationEditor : UnityEditor.Editor
     {
-        readonly BoxBoundsHandle handle = new BoxBoundsHandle();
-        ValidationGUI validation;
-        FluidSimulation timed; // whose steps are timed while the inspector shows it
+        private readonly BoxBoundsHandle handle = new BoxBoundsHandle();
+        private ValidationGUI validation;
+        private FluidSimulation timed; // whose steps are timed while the inspector shows it
 
-        FluidSimulation Simulation => (FluidSimulation)target;
+        private FluidSimulation Simulation => (FluidSimulation)target;
 
         /// <inheritdoc/>
         public override bool RequiresConstantRepaint() => Application.isPlaying && AnyRuns;
 
-        bool AnyRuns => Array.Exists(targets, t => ((FluidSimulation)t).IsRunning);
+        private bool AnyRuns => Array.Exists(targets, t => ((FluidSimulation)t).IsRunning);
 
         /// <inheritdoc/>
         public override void OnInspectorGUI()
@@ -37,7 +37,7 @@ namespace SphFluid.Editor
             if (Application.isPlaying && !SceneObjects.IsPrefabAsset(Simulation)) DrawButtons();
         }
 
-        void DrawFindings()
+        private void DrawFindings()
         {
             validation.Draw();
             if (validation.Constants is FluidSolverSettings constants)
@@ -48,7 +48,7 @@ namespace SphFluid.Editor
             if (Application.isPlaying) DrawStatus();
         }
 
-        void OnEnable()
+        private void OnEnable()
         {
             validation = new ValidationGUI(Simulation);
             Undo.undoRedoPerformed += validation.Refresh;
@@ -58,7 +58,7 @@ namespace SphFluid.Editor
             timed.BeginTiming();
         }
 
-        void OnDisable()
+        private void OnDisable()
         {
             Undo.undoRedoPerformed -= validation.Refresh;
             EditorApplication.hierarchyChanged -= validation.Refresh;
@@ -70,11 +70,14 @@ namespace SphFluid.Editor
         // What the inspector has measured is what it knows of such a liquid before the next play.
         private void EndTiming()
         {
-            if (timed.IsRunning && timed.Timer.FrameCount >= StepTimer.Window) StepCostWatch.Record(timed.Timer, timed.Solver, timed.Obstacles.Count > 0);
+            if (timed.IsRunning && timed.Timer.FrameCount >= StepTimer.Window)
+            {
+                StepCostWatch.Record(timed.Timer, timed.Solver, timed.Obstacles.Count > 0);
+            }
             timed.EndTiming();
         }
 
-        void OnSceneGUI()
+        private void OnSceneGUI()
         {
             FluidSimulation simulation = Simulation;
             using (new Handles.DrawingScope(FluidGizmos.DomainColor, simulation.LocalToWorld))
@@ -109,12 +112,12 @@ namespace SphFluid.Editor
             return hidden.ToArray();
         }
 
-        static bool IsChosen(Object simulation) => FluidMethods.IsChosen(((FluidSimulation)simulation).Method);
+        private static bool IsChosen(Object simulation) => FluidMethods.IsChosen(((FluidSimulation)simulation).Method);
 
-        static bool AnyRelaxes(SerializedObject edited) =>
+        private static bool AnyRelaxes(SerializedObject edited) =>
             Array.Exists(edited.targetObjects, t => FluidMethods.Has(((FluidSimulation)t).ActiveMethod, FluidMethodFeatures.RelaxedStart));
 
-        void DrawTimeStep(in FluidSolverSettings constants)
+        private void DrawTimeStep(in FluidSolverSettings constants)
         {
             TimeStepText text = Simulation.IsRunning ? TimeStepText.Now(Simulation) : TimeStepText.Before(Simulation, constants);
             EditorGUILayout.Space();
@@ -123,7 +126,7 @@ namespace SphFluid.Editor
             EditorGUILayout.HelpBox(text.Advice, MessageType.None);
         }
 
-        void DrawDomain()
+        private void DrawDomain()
         {
             if (!Simulation.IsRunning && validation.Preview == null) return;
             EditorGUILayout.Space();
@@ -132,38 +135,47 @@ namespace SphFluid.Editor
             DrawLines((Simulation.IsRunning ? DomainText.Now(Simulation) : DomainText.Before(Simulation, validation.Preview)).Lines);
         }
 
-        void DrawFill()
+        private void DrawFill()
         {
             if (Application.isPlaying) return;
             if (FillGizmos.Text(validation.Memory) is string text) EditorGUILayout.HelpBox(text, MessageType.None);
-            bool relaxes = Simulation.StartRelaxation != FluidStartRelaxation.None && FluidMethods.Has(Simulation.ActiveMethod, FluidMethodFeatures.RelaxedStart);
-            if (relaxes && validation.Preview != null && !validation.Memory.IsRelaxed && GUILayout.Button("Preview Relaxed Start")) validation.Relax();
+            bool relaxes = Simulation.StartRelaxation != FluidStartRelaxation.None &&
+                FluidMethods.Has(Simulation.ActiveMethod, FluidMethodFeatures.RelaxedStart);
+            if (relaxes && validation.Preview != null && !validation.Memory.IsRelaxed && GUILayout.Button("Preview Relaxed Start"))
+            {
+                validation.Relax();
+            }
         }
 
-        static void DrawLines(IReadOnlyList<(string Label, string Value)> lines)
+        private static void DrawLines(IReadOnlyList<(string Label, string Value)> lines)
         {
             foreach ((string label, string value) in lines) EditorGUILayout.LabelField(label, value);
         }
 
-        void DrawStatus()
+        private void DrawStatus()
         {
             FluidSimulation simulation = Simulation;
             EditorGUILayout.Space();
             EditorGUILayout.LabelField("Status", EditorStyles.boldLabel);
-            EditorGUILayout.LabelField("State", !simulation.IsRunning ? "stopped" : simulation.Paused ? "paused" : simulation.IsAsleep ? "asleep" : "running");
+            EditorGUILayout.LabelField("State", !simulation.IsRunning ? "stopped" : simulation.Paused ? "paused" : simulation.IsAsleep
+                ? "asleep" : "running");
             if (simulation.IsRunning)
             {
-                if (simulation.MethodChoice is FluidMethodChoice choice) EditorGUILayout.LabelField("Method in use", MethodChoiceText.Short(choice));
+                if (simulation.MethodChoice is FluidMethodChoice choice)
+                {
+                    EditorGUILayout.LabelField("Method in use", MethodChoiceText.Short(choice));
+                }
                 FluidCounters counters = simulation.Solver.Counters;
                 EditorGUILayout.LabelField("Simulated time", $"{simulation.SimulatedTime:0.00} s in {simulation.StepCount:N0} steps");
-                EditorGUILayout.LabelField("Real-time factor", $"{simulation.RealTimeFactor:0.00} ({simulation.CapHits} frames at the substep cap)");
+                EditorGUILayout.LabelField("Real-time factor",
+                    $"{simulation.RealTimeFactor:0.00} ({simulation.CapHits} frames at the substep cap)");
                 EditorGUILayout.LabelField("Fastest particle", $"{counters.MaxSpeed:0.00} m/s");
                 EditorGUILayout.LabelField("Largest compression", $"{100f * counters.MaxCompression:0.0} %");
             }
         }
 
         // All selected simulations at once.
-        void DrawButtons()
+        private void DrawButtons()
         {
             bool all = Array.TrueForAll(targets, t => ((FluidSimulation)t).IsRunning);
             using (new EditorGUILayout.HorizontalScope())
@@ -175,12 +187,12 @@ namespace SphFluid.Editor
             }
         }
 
-        static void ChooseAgain(FluidSimulation simulation)
+        private static void ChooseAgain(FluidSimulation simulation)
         {
             if (IsChosen(simulation)) simulation.ChooseMethodAgain();
         }
 
-        void Each(Action<FluidSimulation> act)
+        private void Each(Action<FluidSimulation> act)
         {
             foreach (Object edited in targets) act((FluidSimulation)edited);
         }

@@ -8,10 +8,11 @@ namespace SphFluid.Editor
     [CanEditMultipleObjects]
     public sealed class FluidSurfaceMeshEditor : UnityEditor.Editor
     {
-        FluidSurfaceMesh Handed => (FluidSurfaceMesh)target;
+        private FluidSurfaceMesh Handed => (FluidSurfaceMesh)target;
 
         /// <inheritdoc/>
-        public override bool RequiresConstantRepaint() => Application.isPlaying && !serializedObject.isEditingMultipleObjects && Handed.isActiveAndEnabled;
+        public override bool RequiresConstantRepaint() => Application.isPlaying && !serializedObject.isEditingMultipleObjects &&
+            Handed.isActiveAndEnabled;
 
         /// <inheritdoc/>
         public override void OnInspectorGUI()
@@ -19,13 +20,10 @@ namespace SphFluid.Editor
             serializedObject.Update();
             DrawPropertiesExcluding(serializedObject, "m_Script");
             serializedObject.ApplyModifiedProperties();
-            if (serializedObject.isEditingMultipleObjects)
-                return;
+            if (serializedObject.isEditingMultipleObjects) return;
             string unseen = Handed.WhyUnseen();
-            if (unseen != null)
-                EditorGUILayout.HelpBox(unseen, MessageType.Warning);
-            if (Application.isPlaying)
-                SurfaceStatusGUI.Draw(Handed.Status, Handed.GpuBytes);
+            if (unseen != null) EditorGUILayout.HelpBox(unseen, MessageType.Warning);
+            if (Application.isPlaying) SurfaceStatusGUI.Draw(Handed.Status, Handed.GpuBytes);
         }
     }
 }

@@ -5,15 +5,18 @@ using UnityEngine;
 
 namespace SphFluid.Editor
 {
-    /// <summary>Inspector of the surface: the settings of its look, how the render pipeline serves it, and in play mode what it is made of.</summary>
+    /// <summary>
+    /// Inspector of the surface: the settings of its look, how the render pipeline serves it, and in play mode what it is made of.
+    /// </summary>
     [CustomEditor(typeof(FluidSurfaceRenderer))]
     [CanEditMultipleObjects]
     public sealed class FluidSurfaceRendererEditor : UnityEditor.Editor
     {
-        FluidSurfaceRenderer Renderer => (FluidSurfaceRenderer)target;
+        private FluidSurfaceRenderer Renderer => (FluidSurfaceRenderer)target;
 
         /// <inheritdoc/>
-        public override bool RequiresConstantRepaint() => Application.isPlaying && !serializedObject.isEditingMultipleObjects && Renderer.isActiveAndEnabled;
+        public override bool RequiresConstantRepaint() => Application.isPlaying && !serializedObject.isEditingMultipleObjects &&
+            Renderer.isActiveAndEnabled;
 
         /// <inheritdoc/>
         public override void OnInspectorGUI()
@@ -27,7 +30,9 @@ namespace SphFluid.Editor
                 EditorGUILayout.HelpBox(route.Text, route.IsComplete ? MessageType.Info : MessageType.Warning);
             }
             if (Application.isPlaying && !serializedObject.isEditingMultipleObjects)
+            {
                 SurfaceStatusGUI.Draw(Renderer.Status, Renderer.GpuBytes);
+            }
         }
 
         /// <summary>Fields that none of the edited objects reads, and the script's own.</summary>

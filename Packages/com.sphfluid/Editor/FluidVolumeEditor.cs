@@ -9,9 +9,9 @@ namespace SphFluid.Editor
     [CustomEditor(typeof(FluidVolume)), CanEditMultipleObjects]
     public sealed class FluidVolumeEditor : UnityEditor.Editor
     {
-        readonly BoxBoundsHandle handle = new BoxBoundsHandle();
-        FluidSimulation owner;
-        ValidationGUI validation;
+        private readonly BoxBoundsHandle handle = new BoxBoundsHandle();
+        private FluidSimulation owner;
+        private ValidationGUI validation;
 
         /// <inheritdoc/>
         public override void OnInspectorGUI()
@@ -23,9 +23,9 @@ namespace SphFluid.Editor
             else EditorGUILayout.HelpBox("Select one volume to see its messages.", MessageType.None);
         }
 
-        void OnDisable() => Watch(null);
+        private void OnDisable() => Watch(null);
 
-        void Watch(FluidSimulation now)
+        private void Watch(FluidSimulation now)
         {
             if (validation == null ? now == null : ReferenceEquals(now, owner)) return;
             validation?.Dispose();
@@ -33,7 +33,7 @@ namespace SphFluid.Editor
             validation = now != null ? new ValidationGUI(now) : null;
         }
 
-        string[] Hidden()
+        private string[] Hidden()
         {
             SerializedProperty property = serializedObject.FindProperty("shape");
             var hidden = new List<string> { "m_Script" };
@@ -45,7 +45,7 @@ namespace SphFluid.Editor
             return hidden.ToArray();
         }
 
-        void OnSceneGUI()
+        private void OnSceneGUI()
         {
             var volume = (FluidVolume)target;
             if (!FluidGizmos.HasSize(volume.Shape)) return;
@@ -62,13 +62,15 @@ namespace SphFluid.Editor
             }
         }
 
-        void DrawOwner(FluidVolume volume)
+        private void DrawOwner(FluidVolume volume)
         {
             if (Event.current.type == EventType.Layout) Watch(FluidGizmos.OwnerOf(volume));
             if (owner == null && SceneObjects.IsPrefabAsset(volume))
-                EditorGUILayout.HelpBox("This is a prefab asset: the simulation that it belongs to is found once it is in a scene.", MessageType.Info);
+                EditorGUILayout.HelpBox("This is a prefab asset: the simulation that it belongs to is found once it is in a scene.",
+                    MessageType.Info);
             else if (owner == null)
-                EditorGUILayout.HelpBox("No simulation's domain holds this liquid. Make it a child of a Fluid Simulation or assign one.", MessageType.Warning);
+                EditorGUILayout.HelpBox("No simulation's domain holds this liquid. Make it a child of a Fluid Simulation or assign one.",
+                    MessageType.Warning);
             else
             {
                 using (new EditorGUI.DisabledScope(true))
@@ -79,7 +81,7 @@ namespace SphFluid.Editor
             }
         }
 
-        void DrawDifference(FluidVolume volume)
+        private void DrawDifference(FluidVolume volume)
         {
             if (!(owner.DifferenceOf(volume) is FluidMessage message)) return;
             EditorGUILayout.HelpBox($"'{message.Source}': {message.Text} {message.Cure}", MessageType.Info);

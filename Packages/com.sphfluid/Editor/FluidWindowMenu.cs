@@ -7,7 +7,7 @@ namespace SphFluid.Editor
     /// <summary>Window > SPH Fluid: reports about the device and the open scenes, written to the console.</summary>
     public static class FluidWindowMenu
     {
-        const string Root = "Window/SPH Fluid/";
+        private const string Root = "Window/SPH Fluid/";
 
         /// <summary>Writes what the graphics device can do for the fluid.</summary>
         [MenuItem(Root + "Report Device Support", false, 3000)]
@@ -40,6 +40,6 @@ namespace SphFluid.Editor
             Debug.Log($"{FluidMessage.Prefix} {simulations} simulations checked, {messages} messages.");
         }
 
-        static string YesNo(bool value) => value ? "yes" : "no";
+        private static string YesNo(bool value) => value ? "yes" : "no";
     }
 }

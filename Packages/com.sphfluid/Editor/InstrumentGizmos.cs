@@ -6,11 +6,11 @@ namespace SphFluid.Editor
     /// <summary>Probes, gauges and fluxes in the Scene view, with what they read.</summary>
     internal static class InstrumentGizmos
     {
-        const float MarkSize = 0.02f; // m
-        const float Faint = 0.5f;
+        private const float MarkSize = 0.02f; // m
+        private const float Faint = 0.5f;
 
         [DrawGizmo(GizmoType.Selected | GizmoType.NonSelected | GizmoType.Pickable)]
-        static void DrawProbe(FluidProbe probe, GizmoType type)
+        private static void DrawProbe(FluidProbe probe, GizmoType type)
         {
             Begin(type);
             Vector3 place = probe.transform.position;
@@ -28,7 +28,7 @@ namespace SphFluid.Editor
         }
 
         [DrawGizmo(GizmoType.Selected | GizmoType.NonSelected | GizmoType.Pickable)]
-        static void DrawGauge(FluidGauge gauge, GizmoType type)
+        private static void DrawGauge(FluidGauge gauge, GizmoType type)
         {
             Begin(type);
             Gizmos.matrix = Matrix4x4.TRS(gauge.transform.position, gauge.transform.rotation, Vector3.one);
@@ -41,7 +41,7 @@ namespace SphFluid.Editor
         }
 
         [DrawGizmo(GizmoType.Selected | GizmoType.NonSelected | GizmoType.Pickable)]
-        static void DrawFlux(FluidFlux flux, GizmoType type)
+        private static void DrawFlux(FluidFlux flux, GizmoType type)
         {
             Begin(type);
             Gizmos.matrix = Matrix4x4.TRS(flux.transform.position, flux.transform.rotation, Vector3.one);
@@ -53,7 +53,7 @@ namespace SphFluid.Editor
             Label(flux, flux.transform.position);
         }
 
-        static void Begin(GizmoType type)
+        private static void Begin(GizmoType type)
         {
             Color color = FluidGizmos.SensorColor;
             color.a = (type & GizmoType.Selected) != 0 ? 1f : Faint;
@@ -61,7 +61,7 @@ namespace SphFluid.Editor
             Gizmos.matrix = Matrix4x4.identity;
         }
 
-        static void Label(FluidInstrument instrument, Vector3 place)
+        private static void Label(FluidInstrument instrument, Vector3 place)
         {
             if (instrument.HasValue) Handles.Label(place, $"{instrument.name}\n{InstrumentText.Describe(instrument.Readings[0])}");
             else if (instrument.Problem.HasValue) Handles.Label(place, $"{instrument.name}\nno reading");

@@ -14,13 +14,15 @@ namespace SphFluid.Editor
         public static string NameOf(FluidReading reading)
         {
             string unit = "_" + reading.Unit.Replace("²", "2").Replace("³", "3").Replace("/", "_").ToLowerInvariant();
-            return reading.Column.EndsWith(unit, StringComparison.Ordinal) ? reading.Column.Substring(0, reading.Column.Length - unit.Length) : reading.Column;
+            return reading.Column.EndsWith(unit, StringComparison.Ordinal)
+                ? reading.Column.Substring(0, reading.Column.Length - unit.Length) : reading.Column;
         }
 
-        static string Round(double value)
+        private static string Round(double value)
         {
             double size = Math.Abs(value);
-            return value.ToString(size >= 1000.0 ? "0" : size >= 100.0 ? "0.0" : size >= 10.0 ? "0.00" : size >= 0.1 || size == 0.0 ? "0.000" : "0.000e+0", CultureInfo.InvariantCulture);
+            return value.ToString(size >= 1000.0 ? "0" : size >= 100.0 ? "0.0" : size >= 10.0 ? "0.00" : size >= 0.1 ||
+                size == 0.0 ? "0.000" : "0.000e+0", CultureInfo.InvariantCulture);
         }
     }
 }

@@ -20,6 +20,6 @@ namespace SphFluid.Editor
         /// <summary>Material of a tank's bars; null when the package is not installed under its name.</summary>
         public static Material TankFrame => Load<Material>("TankFrame.mat");
 
-        static T Load<T>(string file) where T : Object => AssetDatabase.LoadAssetAtPath<T>(Folder + file);
+        private static T Load<T>(string file) where T : Object => AssetDatabase.LoadAssetAtPath<T>(Folder + file);
     }
 }

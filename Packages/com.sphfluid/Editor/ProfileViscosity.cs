@@ -6,16 +6,19 @@ using UnityEngine;
 
 namespace SphFluid.Editor
 {
-    /// <summary>The lines on viscosity and surface tension below a profile, found again now and then: before the start a liquid has to be filled to know its constants.</summary>
+    /// <summary>
+    /// The lines on viscosity and surface tension below a profile, found again now and then: before the start a liquid has to be filled to
+    /// know its constants.
+    /// </summary>
     internal sealed class ProfileViscosity
     {
-        const double LeastInterval = 0.5;
-        const double LoadShare = 20.0;
-        const int MostLines = 4;
+        private const double LeastInterval = 0.5;
+        private const double LoadShare = 20.0;
+        private const int MostLines = 4;
 
-        readonly FluidProfile profile;
-        string text = "";
-        double next;
+        private readonly FluidProfile profile;
+        private string text = "";
+        private double next;
 
         public ProfileViscosity(FluidProfile profile) => this.profile = profile;
 
@@ -43,14 +46,14 @@ namespace SphFluid.Editor
             return string.Join("\n", lines);
         }
 
-        static string Line(FluidSimulation simulation)
+        private static string Line(FluidSimulation simulation)
         {
             if (simulation.IsRunning) return Line(simulation, simulation.Solver.Settings);
             FluidSimulationChecks.Preview(simulation, out FluidSolverSettings? constants);
             return constants.HasValue ? Line(simulation, constants.Value) : $"'{simulation.name}' cannot start; its inspector says why.";
         }
 
-        static string Line(FluidSimulation simulation, in FluidSolverSettings constants)
+        private static string Line(FluidSimulation simulation, in FluidSolverSettings constants)
         {
             string tension = SurfaceTensionText.Describe(simulation, constants);
             return ViscosityText.Describe(simulation, constants) + (tension == "" ? "" : "\n" + tension);

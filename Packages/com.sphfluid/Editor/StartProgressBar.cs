@@ -4,14 +4,14 @@ using UnityEngine;
 namespace SphFluid.Editor
 {
     /// <summary>A progress bar with a Cancel button for liquids that take long to come to rest.</summary>
-    sealed class StartProgressBar : IFluidStartWatcher
+    internal sealed class StartProgressBar : IFluidStartWatcher
     {
-        const double SilentSeconds = 1.0;
+        private const double SilentSeconds = 1.0;
 
-        bool shown;
+        private bool shown;
 
         [InitializeOnLoadMethod]
-        static void Install()
+        private static void Install()
         {
             if (!Application.isBatchMode) FluidSimulation.EditorWatcher = new StartProgressBar();
         }
@@ -21,7 +21,8 @@ namespace SphFluid.Editor
             if (progress.Seconds < SilentSeconds) return true;
             shown = true;
             return !EditorUtility.DisplayCancelableProgressBar("Fluid Simulation",
-                $"'{simulation.name}' comes to rest: {progress.Steps} steps, about {Mathf.CeilToInt((float)progress.SecondsLeft)} s left", progress.Share);
+                $"'{simulation.name}' comes to rest: {progress.Steps} steps, about {Mathf.CeilToInt((float)progress.SecondsLeft)} s left",
+                progress.Share);
         }
 
         public void Ended(FluidSimulation simulation)

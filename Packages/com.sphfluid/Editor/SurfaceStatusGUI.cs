@@ -3,9 +3,9 @@ using UnityEditor;
 namespace SphFluid.Editor
 {
     /// <summary>What a surface is made of, for inspectors in play mode.</summary>
-    static class SurfaceStatusGUI
+    internal static class SurfaceStatusGUI
     {
-        const double Mebibyte = 1024.0 * 1024.0;
+        private const double Mebibyte = 1024.0 * 1024.0;
 
         public static void Draw(in SurfaceStatus status, long gpuBytes)
         {

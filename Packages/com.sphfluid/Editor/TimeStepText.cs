@@ -6,7 +6,7 @@ namespace SphFluid.Editor
     /// <summary>The constants that the rules chose and the advice on the time step, as the inspector shows them.</summary>
     public readonly struct TimeStepText
     {
-        TimeStepText(List<(string, string)> lines, string advice)
+        private TimeStepText(List<(string, string)> lines, string advice)
         {
             Lines = lines;
             Advice = advice;
@@ -27,7 +27,9 @@ namespace SphFluid.Editor
             return Create(constants, constants.MaxSpeed, StepOf(simulation, constants));
         }
 
-        /// <summary>The time step of a simulation that would start with these constants, at the fastest speed that they are made for [s].</summary>
+        /// <summary>
+        /// The time step of a simulation that would start with these constants, at the fastest speed that they are made for [s].
+        /// </summary>
         internal static double StepOf(FluidSimulation simulation, in FluidSolverSettings constants) =>
             simulation.TimeStepMode == FluidTimeStepMode.Adaptive && !FluidMethods.Has(constants.Method, FluidMethodFeatures.StepsByFrame)
             ? FluidRules.Advise(constants, constants.MaxSpeed).Step(simulation.Profile.TimeStepFraction)
@@ -42,7 +44,7 @@ namespace SphFluid.Editor
             return Create(simulation.Solver.Settings, speed < float.PositiveInfinity ? speed : float.MaxValue, simulation.TimeStep);
         }
 
-        static TimeStepText Create(in FluidSolverSettings settings, float speed, double step)
+        private static TimeStepText Create(in FluidSolverSettings settings, float speed, double step)
         {
             TimeStepAdvice advice = FluidRules.Advise(settings, speed);
             var lines = new List<(string, string)>
@@ -54,7 +56,10 @@ namespace SphFluid.Editor
             };
             if (!double.IsInfinity(advice.Largest))
             {
-                lines.Add(("Largest stable step", FormattableString.Invariant($"{TimeStepAdvice.Milliseconds(advice.Largest)} at {speed:G3} m/s")));
+                lines
+                    .Add(
+                        ("Largest stable step",
+                            FormattableString.Invariant($"{TimeStepAdvice.Milliseconds(advice.Largest)} at {speed:G3} m/s")));
                 lines.Add(("Limited by", TimeStepAdvice.NameOf(advice.Limit)));
                 lines.Add(("Share in use", FormattableString.Invariant($"{100.0 * step / advice.Largest:0} %")));
             }
@@ -63,7 +68,7 @@ namespace SphFluid.Editor
         }
 
         // (v/c)²: what motion at the expected speed compresses. The liquid's weight adds its own g D/c².
-        static double Compression(in FluidSolverSettings settings)
+        private static double Compression(in FluidSolverSettings settings)
         {
             double mach = settings.MaxSpeed / (double)settings.SoundSpeed;
             return mach * mach;

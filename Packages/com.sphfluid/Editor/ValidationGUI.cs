@@ -9,15 +9,15 @@ namespace SphFluid.Editor
     /// <summary>Help boxes for messages about a simulation, with a button where there is a cure, and what it would start with.</summary>
     internal sealed class ValidationGUI : IDisposable
     {
-        const double LeastInterval = 0.5;
-        const double LoadShare = 20.0;
-        const double SilentSeconds = 1.0;
+        private const double LeastInterval = 0.5;
+        private const double LoadShare = 20.0;
+        private const double SilentSeconds = 1.0;
 
-        readonly FluidSimulation simulation;
-        readonly PreviewMemory memory = new PreviewMemory();
-        List<FluidMessage> messages = new List<FluidMessage>();
-        double nextCheck;
-        bool showsProgress;
+        private readonly FluidSimulation simulation;
+        private readonly PreviewMemory memory = new PreviewMemory();
+        private List<FluidMessage> messages = new List<FluidMessage>();
+        private double nextCheck;
+        private bool showsProgress;
 
         public ValidationGUI(FluidSimulation simulation)
         {
@@ -70,7 +70,7 @@ namespace SphFluid.Editor
         }
 
         // A check of a large scene is repeated less often, so that it takes 5 % of the time at most.
-        void Update()
+        private void Update()
         {
             if (Application.isPlaying && (simulation.IsRunning || simulation.Messages.Count > 0))
             {
@@ -83,8 +83,11 @@ namespace SphFluid.Editor
             FillPoints before = memory.Points;
             try
             {
-                if (memory.Look(simulation.Spec, FluidScene.Volumes(simulation), now, GoesOn, ref messages) && ViewRules.Check(simulation) is FluidMessage unseen)
+                if (memory.Look(simulation.Spec, FluidScene.Volumes(simulation), now, GoesOn, ref messages) &&
+                    ViewRules.Check(simulation) is FluidMessage unseen)
+                {
                     messages.Add(unseen);
+                }
             }
             finally
             {
@@ -96,14 +99,14 @@ namespace SphFluid.Editor
             nextCheck = now + Math.Max(LeastInterval, LoadShare * took);
         }
 
-        bool GoesOn(double seconds)
+        private bool GoesOn(double seconds)
         {
             if (seconds < SilentSeconds || Application.isBatchMode) return true;
             showsProgress = true;
             return !EditorUtility.DisplayCancelableProgressBar("Fluid Simulation", $"'{simulation.name}': counting its particles", 0.5f);
         }
 
-        void Draw(in FluidMessage message, bool aboutOne)
+        private void Draw(in FluidMessage message, bool aboutOne)
         {
             string text = message.Cure.Length == 0 ? message.Text : $"{message.Text} {message.Cure}";
             bool isElsewhere = !aboutOne && message.Context != null && message.Context != simulation;
@@ -122,7 +125,7 @@ namespace SphFluid.Editor
             }
         }
 
-        static MessageType TypeOf(FluidSeverity severity)
+        private static MessageType TypeOf(FluidSeverity severity)
         {
             switch (severity)
             {

@@ -3,7 +3,7 @@ namespace SphFluid.Editor
     /// <summary>
     /// Whether anything shows a liquid. Only the inspector asks: a script may read the particles and draw them itself.
     /// </summary>
-    static class ViewRules
+    internal static class ViewRules
     {
         /// <returns>Null when a component shows the liquid, and for a prefab asset, which may be shown from its scene.</returns>
         public static FluidMessage? Check(FluidSimulation simulation)

@@ -7,10 +7,10 @@ namespace SphFluid.Editor
     public static class ViscosityText
     {
         // A float and what the rules make of it differ by rounding.
-        const double Same = 1.0 + 1e-4;
+        private const double Same = 1.0 + 1e-4;
 
         // Below this spacing nobody simulates.
-        const double FinestSpacing = 1e-3;
+        private const double FinestSpacing = 1e-3;
 
         /// <summary>Of a simulation with these constants.</summary>
         /// <param name="simulation">The simulation, with a profile.</param>
@@ -20,7 +20,8 @@ namespace SphFluid.Editor
         {
             double set = simulation.Profile.KinematicViscosity, acts = constants.Viscosity / (double)constants.RestDensity;
             if (acts <= set * Same) return $"'{simulation.name}': {Number(acts)} m²/s acts, as set.{Cost(constants)}";
-            string text = $"'{simulation.name}': {Number(acts)} m²/s acts, the least of its method at a spacing of {Length(constants.Spacing)}.";
+            string text =
+                $"'{simulation.name}': {Number(acts)} m²/s acts, the least of its method at a spacing of {Length(constants.Spacing)}.";
             double spacing = constants.Spacing * set / acts;
             return spacing >= FinestSpacing ? $"{text} The {Number(set)} m²/s that are set act at {Length(spacing)} and finer." : text;
         }
@@ -38,7 +39,9 @@ namespace SphFluid.Editor
                 : $"{start}the liquid is more viscous than set: {Number(Least(profile, 0.01f, 1f))} m²/s at a spacing of {Length(0.01)}.";
         }
 
-        /// <summary>Largest spacing at which a profile's viscosity acts with the method Standard [m]; the least viscosity grows with the spacing.</summary>
+        /// <summary>
+        /// Largest spacing at which a profile's viscosity acts with the method Standard [m]; the least viscosity grows with the spacing.
+        /// </summary>
         /// <param name="profile">The profile.</param>
         /// <param name="fall">Height of the liquid's top over the domain's lowest place [m].</param>
         /// <returns>The spacing; infinite where the profile asks for no least viscosity.</returns>
@@ -49,7 +52,7 @@ namespace SphFluid.Editor
             return least > 0.0 ? spacing * profile.KinematicViscosity / least : double.PositiveInfinity;
         }
 
-        static double Least(FluidProfile profile, float spacing, float fall)
+        private static double Least(FluidProfile profile, float spacing, float fall)
         {
             FluidRuleInput rules = profile.Spec.Rules;
             rules.Method = FluidMethodKind.Standard;
@@ -61,18 +64,20 @@ namespace SphFluid.Editor
             return settings.Viscosity / (double)settings.RestDensity;
         }
 
-        static string Cost(in FluidSolverSettings constants)
+        private static string Cost(in FluidSolverSettings constants)
         {
             TimeStepAdvice advice = FluidRules.Advise(constants, constants.MaxSpeed);
-            string limits = advice.Limit == TimeStepLimit.Viscosity ? $" It sets the time step of {TimeStepAdvice.Milliseconds(constants.TimeStep)}." : "";
+            string limits = advice.Limit == TimeStepLimit.Viscosity
+                ? $" It sets the time step of {TimeStepAdvice.Milliseconds(constants.TimeStep)}." : "";
             if (!advice.ViscosityIsImplicit) return limits;
             int iterations = ImplicitViscosity.Iterations(constants, constants.TimeStep);
-            return $" It is solved implicitly, in {iterations} iterations a step{(limits == "" ? ", and does not shorten the step." : "." + limits)}";
+            return $" It is solved implicitly, in {iterations} iterations a " +
+                $"step{(limits == "" ? ", and does not shorten the step." : "." + limits)}";
         }
 
-        static string Number(double viscosity) => FormattableString.Invariant($"{viscosity:G2}");
+        private static string Number(double viscosity) => FormattableString.Invariant($"{viscosity:G2}");
 
-        static string Length(double metres) =>
+        private static string Length(double metres) =>
             metres < 0.1 ? FormattableString.Invariant($"{1e3 * metres:G2} mm") : FormattableString.Invariant($"{1e2 * metres:0} cm");
     }
 }

@@ -1,6 +1,6 @@
-// A running liquid as kernels and shaders of others read it: include "Packages/com.sphfluid/Shaders/FluidBuffers.hlsl" and set it by FluidBuffers.Bind.
-// Simulation space: metres from the centre of the domain box, along its axes; FluidToWorld and FluidFromWorld convert. All names begin with
-// Fluid or _Fluid, so that they do not clash with yours. The buffers are to be read only.
+// A running liquid as kernels and shaders of others read it: include "Packages/com.sphfluid/Shaders/FluidBuffers.hlsl" and set it by
+// FluidBuffers.Bind. Simulation space: metres from the centre of the domain box, along its axes; FluidToWorld and FluidFromWorld convert.
+// All names begin with Fluid or _Fluid, so that they do not clash with yours. The buffers are to be read only.
 #ifndef SPHFLUID_FLUID_BUFFERS
 #define SPHFLUID_FLUID_BUFFERS
 

@@ -6,8 +6,11 @@ using UnityEngine.Rendering.RenderGraphModule;
 
 namespace SphFluid
 {
-    /// <summary>A pass that draws nothing: its inputs make the pipeline copy the opaque scene's colour and depth before transparent things are drawn.</summary>
-    sealed class SceneTextureRequest : ScriptableRenderPass
+    /// <summary>
+    /// A pass that draws nothing: its inputs make the pipeline copy the opaque scene's colour and depth before transparent things are
+    /// drawn.
+    /// </summary>
+    internal sealed class SceneTextureRequest : ScriptableRenderPass
     {
         public SceneTextureRequest()
         {

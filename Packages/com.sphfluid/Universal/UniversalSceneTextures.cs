@@ -7,15 +7,14 @@ namespace SphFluid
     /// The Universal Render Pipeline: <c>_CameraOpaqueTexture</c> and <c>_CameraDepthTexture</c>, asked for by a pass that is put into the
     /// camera's renderer each frame. No change of the project's pipeline assets is needed.
     /// </summary>
-    sealed class UniversalSceneTextures : ISceneTextureSource
+    internal sealed class UniversalSceneTextures : ISceneTextureSource
     {
-        readonly SceneTextureRequest request = new SceneTextureRequest();
+        private readonly SceneTextureRequest request = new SceneTextureRequest();
 
         public SceneTextures Request(Camera camera)
         {
             ScriptableRenderer renderer = camera.GetUniversalAdditionalCameraData().scriptableRenderer;
-            if (renderer == null)
-                return default;
+            if (renderer == null) return default;
             renderer.EnqueuePass(request);
             return new SceneTextures(SceneColourSource.OpaqueTexture, true);
         }
@@ -29,6 +28,6 @@ namespace SphFluid
 #if UNITY_EDITOR
         [UnityEditor.InitializeOnLoadMethod]
 #endif
-        static void Register() => WaterCameras.Universal = new UniversalSceneTextures();
+        private static void Register() => WaterCameras.Universal = new UniversalSceneTextures();
     }
 }

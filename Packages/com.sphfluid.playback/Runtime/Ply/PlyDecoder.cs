@@ -20,7 +20,7 @@ namespace SphFluid
             else DecodeBinary(file, header, place, particles);
         }
 
-        static void DecodeBinary(ReadOnlySpan<byte> file, PlyHeader header, int place, Span<StoredParticle> particles)
+        private static void DecodeBinary(ReadOnlySpan<byte> file, PlyHeader header, int place, Span<StoredParticle> particles)
         {
             bool big = header.Encoding == PlyEncoding.BigEndian;
             foreach (PlyElement element in header.Before) place = Skip(file, header, element, place, big);
@@ -46,15 +46,17 @@ namespace SphFluid
             }
         }
 
-        static int Skip(ReadOnlySpan<byte> file, PlyHeader header, in PlyElement element, int place, bool big)
+        private static int Skip(ReadOnlySpan<byte> file, PlyHeader header, in PlyElement element, int place, bool big)
         {
             for (long row = 0; row < element.Count && element.Properties > 0; row++)
             {
                 for (int p = 0; p < element.Properties; p++)
                 {
                     PlyProperty property = header.Properties[element.First + p];
-                    double count = property.IsList ? Number(Rest(file, place, PlyHeader.SizeOf(property.CountType)), property.CountType, big) : 1.0;
-                    long length = (property.IsList ? PlyHeader.SizeOf(property.CountType) : 0) + (long)Math.Max(0.0, Math.Min(count, int.MaxValue)) * PlyHeader.SizeOf(property.Type);
+                    double count = property.IsList
+                        ? Number(Rest(file, place, PlyHeader.SizeOf(property.CountType)), property.CountType, big) : 1.0;
+                    long length = (property.IsList ? PlyHeader.SizeOf(property.CountType) : 0) +
+                        (long)Math.Max(0.0, Math.Min(count, int.MaxValue)) * PlyHeader.SizeOf(property.Type);
                     if (length > file.Length - place) throw new SequenceException("was cut: it ends before its particles");
                     place += (int)length;
                 }
@@ -62,10 +64,10 @@ namespace SphFluid
             return place;
         }
 
-        static ReadOnlySpan<byte> Rest(ReadOnlySpan<byte> file, int place, int least) =>
+        private static ReadOnlySpan<byte> Rest(ReadOnlySpan<byte> file, int place, int least) =>
             file.Length - place >= least ? file.Slice(place) : throw new SequenceException("was cut: it ends before its particles");
 
-        static void DecodeText(ReadOnlySpan<byte> file, PlyHeader header, int place, Span<StoredParticle> particles)
+        private static void DecodeText(ReadOnlySpan<byte> file, PlyHeader header, int place, Span<StoredParticle> particles)
         {
             ReadOnlySpan<byte> text = file.Slice(place);
             foreach (PlyElement element in header.Before) SkipText(ref text, header, element);
@@ -84,14 +86,17 @@ namespace SphFluid
             if (header.VertexIsLast && Trimmed(text).Length > 0) throw Longer();
         }
 
-        static void SkipText(ref ReadOnlySpan<byte> text, PlyHeader header, in PlyElement element)
+        private static void SkipText(ref ReadOnlySpan<byte> text, PlyHeader header, in PlyElement element)
         {
             for (long row = 0; row < element.Count && element.Properties > 0; row++)
             {
                 for (int p = 0; p < element.Properties; p++)
                 {
                     double count = 1.0;
-                    if (header.Properties[element.First + p].IsList && !TryNumber(ref text, out count)) throw new SequenceException("was cut: it ends before its particles");
+                    if (header.Properties[element.First + p].IsList && !TryNumber(ref text, out count))
+                    {
+                        throw new SequenceException("was cut: it ends before its particles");
+                    }
                     for (; count >= 1.0; count -= 1.0)
                         if (!TryNumber(ref text, out _)) throw new SequenceException("was cut: it ends before its particles");
                 }
@@ -99,7 +104,7 @@ namespace SphFluid
         }
 
         // False at the end of the text.
-        static bool TryNumber(ref ReadOnlySpan<byte> text, out double number)
+        private static bool TryNumber(ref ReadOnlySpan<byte> text, out double number)
         {
             number = 0.0;
             text = Trimmed(text);
@@ -112,14 +117,14 @@ namespace SphFluid
             throw new SequenceException("has text where the number of a particle should be");
         }
 
-        static ReadOnlySpan<byte> Trimmed(ReadOnlySpan<byte> text)
+        private static ReadOnlySpan<byte> Trimmed(ReadOnlySpan<byte> text)
         {
             int begin = 0;
             while (begin < text.Length && text[begin] <= ' ') begin++;
             return text.Slice(begin);
         }
 
-        static double Number(ReadOnlySpan<byte> at, PlyType type, bool big)
+        private static double Number(ReadOnlySpan<byte> at, PlyType type, bool big)
         {
             switch (type)
             {
@@ -130,22 +135,27 @@ namespace SphFluid
                 case PlyType.Int32: return Bits(at, big);
                 case PlyType.UInt32: return unchecked((uint)Bits(at, big));
                 case PlyType.Float32: return BitConverter.Int32BitsToSingle(Bits(at, big));
-                default: return BitConverter.Int64BitsToDouble(big ? BinaryPrimitives.ReadInt64BigEndian(at) : BinaryPrimitives.ReadInt64LittleEndian(at));
+                default:
+                    return BitConverter.Int64BitsToDouble(big ? BinaryPrimitives.ReadInt64BigEndian(at)
+                        : BinaryPrimitives.ReadInt64LittleEndian(at));
             }
         }
 
-        static int Bits(ReadOnlySpan<byte> at, bool big) => big ? BinaryPrimitives.ReadInt32BigEndian(at) : BinaryPrimitives.ReadInt32LittleEndian(at);
+        private static int Bits(ReadOnlySpan<byte> at, bool big) => big ? BinaryPrimitives.ReadInt32BigEndian(at)
+            : BinaryPrimitives.ReadInt32LittleEndian(at);
 
-        static void Set(ref StoredParticle particle, int field, double number)
+        private static void Set(ref StoredParticle particle, int field, double number)
         {
             if (field < 3) particle.Position[field] = (float)number;
             else if (field < 6) particle.Velocity[field - 3] = (float)number;
             else if (number >= 0.0 && number <= uint.MaxValue && Math.Floor(number) == number) particle.Id = (uint)number;
-            else throw new SequenceException(FormattableString.Invariant($"has a particle with the id {number}"), "Number particles by whole numbers from 0 to 4294967295.");
+            else throw new SequenceException(FormattableString.Invariant($"has a particle with the id {number}"),
+                "Number particles by whole numbers from 0 to 4294967295.");
         }
 
-        static SequenceException Cut(long count, long whole) => new SequenceException(FormattableString.Invariant($"was cut: it ends after {whole} of {count} particles"));
+        private static SequenceException Cut(long count, long whole) =>
+            new SequenceException(FormattableString.Invariant($"was cut: it ends after {whole} of {count} particles"));
 
-        static SequenceException Longer() => new SequenceException("goes on behind its last particle");
+        private static SequenceException Longer() => new SequenceException("goes on behind its last particle");
     }
 }

@@ -4,26 +4,27 @@ using System.Collections.Generic;
 namespace SphFluid
 {
     /// <summary>
-    /// The header of a PLY file (Turk, "The PLY polygon file format", 1994): what stands behind it, as far as the particles. Read again and again by one object, without
-    /// garbage.
+    /// The header of a PLY file (Turk, "The PLY polygon file format", 1994): what stands behind it, as far as the particles. Read again and
+    /// again by one object, without garbage.
     /// </summary>
     internal sealed class PlyHeader
     {
         /// <summary>A header ends within so many bytes.</summary>
         public const int MostBytes = 1 << 16;
 
-        const int X = 0, VelocityX = 3, Id = 6;
+        private const int X = 0, VelocityX = 3, Id = 6;
 
-        static readonly string[] TypeNames =
+        private static readonly string[] TypeNames =
         {
-            "char", "int8", "uchar", "uint8", "short", "int16", "ushort", "uint16", "int", "int32", "uint", "uint32", "float", "float32", "double", "float64",
+            "char", "int8", "uchar", "uint8", "short", "int16", "ushort", "uint16", "int", "int32", "uint", "uint32", "float", "float32",
+            "double", "float64",
         };
 
-        static readonly int[] Sizes = { 1, 1, 2, 2, 4, 4, 4, 8 };
+        private static readonly int[] Sizes = { 1, 1, 2, 2, 4, 4, 4, 8 };
 
-        readonly List<PlyElement> elements = new List<PlyElement>();
-        readonly List<PlyProperty> properties = new List<PlyProperty>();
-        int fields; // bits of the fields that particles have
+        private readonly List<PlyElement> elements = new List<PlyElement>();
+        private readonly List<PlyProperty> properties = new List<PlyProperty>();
+        private int fields; // bits of the fields that particles have
 
         /// <summary>Names of the properties that make a particle.</summary>
         public static readonly string[] FieldNames = { "x", "y", "z", "vx", "vy", "vz", "id" };
@@ -72,7 +73,10 @@ namespace SphFluid
             Vertex = default;
             bool hasVertex = false, hasFormat = false, inVertex = false;
             int place = 0;
-            if (!Is(Line(file, ref place), "ply")) throw new SequenceException("is no PLY file", "Give the folder files in the PLY format only.");
+            if (!Is(Line(file, ref place), "ply"))
+            {
+                throw new SequenceException("is no PLY file", "Give the folder files in the PLY format only.");
+            }
             while (true)
             {
                 ReadOnlySpan<byte> line = Line(file, ref place);
@@ -98,12 +102,16 @@ namespace SphFluid
                 else throw Unreadable();
             }
             if (!hasFormat) throw Unreadable();
-            if (!hasVertex) throw new SequenceException("has no particles: its header names no element vertex", "Write particles as the element vertex with the properties x, y and z.");
+            if (!hasVertex)
+            {
+                throw new SequenceException("has no particles: its header names no element vertex",
+                    "Write particles as the element vertex with the properties x, y and z.");
+            }
             DataStart = place;
             Finish();
         }
 
-        void AddProperty(ref ReadOnlySpan<byte> line, bool inVertex)
+        private void AddProperty(ref ReadOnlySpan<byte> line, bool inVertex)
         {
             var property = new PlyProperty { Field = -1 };
             ReadOnlySpan<byte> word = Word(ref line);
@@ -128,7 +136,7 @@ namespace SphFluid
             elements[elements.Count - 1] = element;
         }
 
-        int FieldOf(ReadOnlySpan<byte> name, bool isList)
+        private int FieldOf(ReadOnlySpan<byte> name, bool isList)
         {
             if (isList) throw new SequenceException("has lists among the properties of its particles", "Write one number a property.");
             for (int i = 0; i < FieldNames.Length; i++)
@@ -141,10 +149,16 @@ namespace SphFluid
             return -1;
         }
 
-        void Finish()
+        private void Finish()
         {
-            if (!Has(X, 3)) throw new SequenceException("has particles without x, y and z", "Write these properties of the element vertex.");
-            if (!HasVelocities && (fields & (7 << VelocityX)) != 0) throw new SequenceException("has some of vx, vy and vz, and not all", "Write all three, or none.");
+            if (!Has(X, 3))
+            {
+                throw new SequenceException("has particles without x, y and z", "Write these properties of the element vertex.");
+            }
+            if (!HasVelocities && (fields & (7 << VelocityX)) != 0)
+            {
+                throw new SequenceException("has some of vx, vy and vz, and not all", "Write all three, or none.");
+            }
             Stride = 0;
             IsPlain = Encoding == PlyEncoding.LittleEndian && Vertex.Properties == FieldNames.Length;
             for (int i = 0; i < Vertex.Properties; i++)
@@ -155,23 +169,24 @@ namespace SphFluid
             }
         }
 
-        bool Has(int first, int count)
+        private bool Has(int first, int count)
         {
             int asked = ((1 << count) - 1) << first;
             return (fields & asked) == asked;
         }
 
-        static PlyEncoding EncodingOf(ReadOnlySpan<byte> word) =>
-            Is(word, "ascii") ? PlyEncoding.Ascii : Is(word, "binary_little_endian") ? PlyEncoding.LittleEndian : Is(word, "binary_big_endian") ? PlyEncoding.BigEndian : throw Unreadable();
+        private static PlyEncoding EncodingOf(ReadOnlySpan<byte> word) =>
+            Is(word, "ascii") ? PlyEncoding.Ascii : Is(word, "binary_little_endian") ? PlyEncoding.LittleEndian
+                : Is(word, "binary_big_endian") ? PlyEncoding.BigEndian : throw Unreadable();
 
-        static PlyType TypeOf(ReadOnlySpan<byte> word)
+        private static PlyType TypeOf(ReadOnlySpan<byte> word)
         {
             for (int i = 0; i < TypeNames.Length; i++)
                 if (Is(word, TypeNames[i])) return (PlyType)(i / 2);
             throw Unreadable();
         }
 
-        static long CountOf(ReadOnlySpan<byte> word)
+        private static long CountOf(ReadOnlySpan<byte> word)
         {
             long count = 0;
             foreach (byte digit in word)
@@ -182,16 +197,19 @@ namespace SphFluid
             return word.Length > 0 && count <= int.MaxValue ? count : throw Unreadable();
         }
 
-        static ReadOnlySpan<byte> Line(ReadOnlySpan<byte> file, ref int place)
+        private static ReadOnlySpan<byte> Line(ReadOnlySpan<byte> file, ref int place)
         {
             int length = file.Slice(place).IndexOf((byte)'\n');
-            if (length < 0 || place + length >= MostBytes) throw place == 0 ? new SequenceException("is no PLY file", "Give the folder files in the PLY format only.") : Unreadable();
+            if (length < 0 || place + length >= MostBytes)
+            {
+                throw place == 0 ? new SequenceException("is no PLY file", "Give the folder files in the PLY format only.") : Unreadable();
+            }
             ReadOnlySpan<byte> line = file.Slice(place, length);
             place += length + 1;
             return line.Length > 0 && line[line.Length - 1] == '\r' ? line.Slice(0, line.Length - 1) : line;
         }
 
-        static ReadOnlySpan<byte> Word(ref ReadOnlySpan<byte> line)
+        private static ReadOnlySpan<byte> Word(ref ReadOnlySpan<byte> line)
         {
             int begin = 0;
             while (begin < line.Length && line[begin] <= ' ') begin++;
@@ -202,7 +220,7 @@ namespace SphFluid
             return word;
         }
 
-        static bool Is(ReadOnlySpan<byte> word, string text)
+        private static bool Is(ReadOnlySpan<byte> word, string text)
         {
             if (word.Length != text.Length) return false;
             for (int i = 0; i < word.Length; i++)
@@ -210,6 +228,6 @@ namespace SphFluid
             return true;
         }
 
-        static SequenceException Unreadable() => new SequenceException("has a header that cannot be read");
+        private static SequenceException Unreadable() => new SequenceException("has a header that cannot be read");
     }
 }

@@ -7,8 +7,8 @@ namespace SphFluid
     internal static class BoundedFile
     {
         /// <summary>
-        /// Opens a file or what a link leads to. A pipe waits for a writer and a device has no end. .NET tells neither from a file; but neither has a length, and a
-        /// pipe that is opened for both directions does not wait.
+        /// Opens a file or what a link leads to. A pipe waits for a writer and a device has no end. .NET tells neither from a file; but
+        /// neither has a length, and a pipe that is opened for both directions does not wait.
         /// </summary>
         /// <param name="path">The file.</param>
         /// <returns>A stream with a length above zero, without a buffer of its own.</returns>
@@ -57,8 +57,8 @@ namespace SphFluid
             return read;
         }
 
-        static FileStream Open(string path, FileAccess access) => new FileStream(path, FileMode.Open, access, FileShare.Read, 1);
+        private static FileStream Open(string path, FileAccess access) => new FileStream(path, FileMode.Open, access, FileShare.Read, 1);
 
-        static IOException Empty(string path) => new IOException($"{Path.GetFileName(path)} is empty, or no regular file");
+        private static IOException Empty(string path) => new IOException($"{Path.GetFileName(path)} is empty, or no regular file");
     }
 }

@@ -20,17 +20,20 @@ namespace SphFluid
             }
             for (int i = 1; i < particles.Length; i++)
                 if (particles[i].Id == particles[i - 1].Id)
-                    throw new SequenceException($"has two particles with the id {particles[i].Id}", "Give each particle a number of its own, the same in all frames.");
+                {
+                    throw new SequenceException($"has two particles with the id {particles[i].Id}",
+                        "Give each particle a number of its own, the same in all frames.");
+                }
         }
 
-        static bool AreSorted(ReadOnlySpan<StoredParticle> particles)
+        private static bool AreSorted(ReadOnlySpan<StoredParticle> particles)
         {
             for (int i = 1; i < particles.Length; i++)
                 if (particles[i].Id < particles[i - 1].Id) return false;
             return true;
         }
 
-        static void Sink(Span<StoredParticle> heap, int place, int length)
+        private static void Sink(Span<StoredParticle> heap, int place, int length)
         {
             StoredParticle sinking = heap[place];
             while (true)

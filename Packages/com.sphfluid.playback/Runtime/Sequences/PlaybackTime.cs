@@ -6,10 +6,11 @@ namespace SphFluid
     internal static class PlaybackTime
     {
         // Nearer to a frame than this part of the way to the next it is that frame, and nearer than a float tells times apart.
-        const double FrameShare = 1e-4, FloatShare = 2.4e-7;
+        private const double FrameShare = 1e-4, FloatShare = 2.4e-7;
 
         /// <summary>Time of a round, after which everything is as before [s].</summary>
-        public static double Round(double duration, FluidPlaybackLoop loop) => loop == FluidPlaybackLoop.PingPong ? 2.0 * duration : duration;
+        public static double Round(double duration, FluidPlaybackLoop loop) => loop == FluidPlaybackLoop.PingPong
+            ? 2.0 * duration : duration;
 
         /// <summary>A time within the first round [s]; where there are no rounds, within the sequence.</summary>
         public static double Wrap(double time, double duration, FluidPlaybackLoop loop)

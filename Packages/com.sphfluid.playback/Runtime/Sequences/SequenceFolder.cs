@@ -9,7 +9,7 @@ namespace SphFluid
     /// <summary>Finds out what a folder of particle files holds.</summary>
     internal static class SequenceFolder
     {
-        const int MostManifestBytes = 1 << 26;
+        private const int MostManifestBytes = 1 << 26;
 
         /// <summary>Opens a folder: by its sequence.json, or where it has none all its .ply files in the order of their names.</summary>
         /// <param name="folder">Path, absolute or from StreamingAssets.</param>
@@ -20,14 +20,20 @@ namespace SphFluid
             try
             {
                 string full = FullPath(folder);
-                if (!Directory.Exists(full)) throw new SequenceException("is no folder", "Set Folder to a folder with particle files; it is looked for below StreamingAssets unless its path is absolute.");
+                if (!Directory.Exists(full))
+                {
+                    throw new SequenceException("is no folder",
+                        "Set Folder to a folder with particle files; it is looked for below StreamingAssets unless its path is absolute.");
+                }
                 string manifest = Path.Combine(full, SequenceManifest.FileName);
                 return File.Exists(manifest) ? OpenManifest(full, manifest) : OpenFiles(full, frameRate);
             }
-            catch (Exception exception) when (exception is IOException || exception is UnauthorizedAccessException || exception is SecurityException ||
+            catch (Exception exception) when (exception is IOException || exception is UnauthorizedAccessException ||
+                exception is SecurityException ||
                 exception is ArgumentException || exception is NotSupportedException)
             {
-                throw new SequenceException($"cannot be read ({exception.Message.TrimEnd('.')})", "See that its files are whole and may be read, or set Folder to another folder.");
+                throw new SequenceException($"cannot be read ({exception.Message.TrimEnd('.')})",
+                    "See that its files are whole and may be read, or set Folder to another folder.");
             }
         }
 
@@ -47,10 +53,11 @@ namespace SphFluid
             return rest != 0 ? rest : string.CompareOrdinal(a, b);
         }
 
-        static ParticleSequence OpenManifest(string folder, string file)
+        private static ParticleSequence OpenManifest(string folder, string file)
         {
             string text = BoundedFile.ReadText(file, MostManifestBytes) ?? throw new SequenceException(
-                $"has a {SequenceManifest.FileName} of more than {MostManifestBytes >> 20} MiB", "Divide the sequence among folders, with fewer frames each.");
+                $"has a {SequenceManifest.FileName} of more than {MostManifestBytes >> 20} MiB",
+                "Divide the sequence among folders, with fewer frames each.");
             SequenceManifest manifest;
             try
             {
@@ -60,16 +67,27 @@ namespace SphFluid
             {
                 throw new SequenceException($"has a {SequenceManifest.FileName} that {exception.Message}", exception.Cure);
             }
-            SequenceFrame[] frames = Array.ConvertAll(manifest.frames, f => new SequenceFrame(Path.Combine(folder, f.file), f.time, f.particles, f.bytes, f.Crc));
-            return new ParticleSequence(folder, frames, true, true) { Spacing = (float)manifest.spacing, DomainSize = manifest.Size, Source = manifest.source ?? "" };
+            SequenceFrame[] frames = Array.ConvertAll(manifest.frames,
+                f => new SequenceFrame(Path.Combine(folder, f.file), f.time, f.particles, f.bytes, f.Crc));
+            return new ParticleSequence(folder, frames, true, true)
+            {
+                Spacing = (float)manifest.spacing, DomainSize = manifest.Size,
+                Source = manifest.source ?? ""
+            };
         }
 
-        static ParticleSequence OpenFiles(string folder, double frameRate)
+        private static ParticleSequence OpenFiles(string folder, double frameRate)
         {
-            if (!(frameRate > 0.0) || double.IsInfinity(frameRate)) throw new SequenceException("has no sequence.json and so no times", "Give Frame Rate a number greater than zero.");
+            if (!(frameRate > 0.0) || double.IsInfinity(frameRate))
+            {
+                throw new SequenceException("has no sequence.json and so no times", "Give Frame Rate a number greater than zero.");
+            }
             string[] files = Directory.GetFiles(folder, "*.ply");
             Array.Sort(files, (a, b) => Compare(Path.GetFileName(a), Path.GetFileName(b)));
-            if (files.Length == 0) throw new SequenceException("has no sequence.json and no .ply files", "Set Folder to a folder with particle files.");
+            if (files.Length == 0)
+            {
+                throw new SequenceException("has no sequence.json and no .ply files", "Set Folder to a folder with particle files.");
+            }
             var frames = new List<SequenceFrame>();
             var header = new PlyHeader();
             var begin = new byte[PlyHeader.MostBytes];
@@ -90,7 +108,7 @@ namespace SphFluid
         }
 
         // A file that cannot be read, or with another header, is named when its frame is read.
-        static bool TryRead(string file, byte[] begin, PlyHeader header, out long bytes)
+        private static bool TryRead(string file, byte[] begin, PlyHeader header, out long bytes)
         {
             bytes = 0;
             try
@@ -108,9 +126,9 @@ namespace SphFluid
             }
         }
 
-        static bool IsDigit(char c) => c >= '0' && c <= '9';
+        private static bool IsDigit(char c) => c >= '0' && c <= '9';
 
-        static int CompareNumbers(string a, ref int i, string b, ref int j)
+        private static int CompareNumbers(string a, ref int i, string b, ref int j)
         {
             int beginA = SkipZeros(a, ref i), beginB = SkipZeros(b, ref j);
             int length = (i - beginA).CompareTo(j - beginB);
@@ -118,7 +136,7 @@ namespace SphFluid
         }
 
         // To the end of a number; where its first digit is that counts.
-        static int SkipZeros(string text, ref int place)
+        private static int SkipZeros(string text, ref int place)
         {
             while (place < text.Length && text[place] == '0') place++;
             int begin = place;

@@ -25,23 +25,23 @@ namespace SphFluid
     }
 
     /// <summary>
-    /// Reads frames ahead on a thread of its own, into memory that is there from the start: those that are needed next are in it as soon as they can be. A frame that
-    /// cannot be read is told once and not tried again.
+    /// Reads frames ahead on a thread of its own, into memory that is there from the start: those that are needed next are in it as soon as
+    /// they can be. A frame that cannot be read is told once and not tried again.
     /// </summary>
     internal sealed class SequenceLoader : IDisposable
     {
-        const int Nowhere = -1;
+        private const int Nowhere = -1;
 
-        readonly object gate = new object();
-        readonly ISequenceReader reader;
-        readonly SequenceSlot[] slots;
-        readonly int[] slotOf, wantedAt, wanted;
-        readonly bool[] failed;
-        readonly Queue<SequenceFailure> failures = new Queue<SequenceFailure>();
-        readonly Thread thread;
-        SequenceWalk walk;
-        int wantedCount, turn;
-        bool ends;
+        private readonly object gate = new object();
+        private readonly ISequenceReader reader;
+        private readonly SequenceSlot[] slots;
+        private readonly int[] slotOf, wantedAt, wanted;
+        private readonly bool[] failed;
+        private readonly Queue<SequenceFailure> failures = new Queue<SequenceFailure>();
+        private readonly Thread thread;
+        private SequenceWalk walk;
+        private int wantedCount, turn;
+        private bool ends;
 
         /// <param name="reader">Reads a frame.</param>
         /// <param name="frames">Number of frames.</param>
@@ -111,10 +111,10 @@ namespace SphFluid
             foreach (SequenceSlot slot in slots) slot.Dispose();
         }
 
-        SequenceSlot SlotOf(int frame) => slotOf[frame] != Nowhere && slots[slotOf[frame]].IsReady ? slots[slotOf[frame]] : null;
+        private SequenceSlot SlotOf(int frame) => slotOf[frame] != Nowhere && slots[slotOf[frame]].IsReady ? slots[slotOf[frame]] : null;
 
         // As many as are held, without those that cannot be read.
-        void Choose()
+        private void Choose()
         {
             turn++;
             wantedCount = 0;
@@ -130,7 +130,7 @@ namespace SphFluid
             }
         }
 
-        void Run()
+        private void Run()
         {
             while (true)
             {
@@ -155,7 +155,8 @@ namespace SphFluid
                 }
                 catch (Exception exception) // of the system, or of a file that nobody thought of: no reason to end the program
                 {
-                    failure = new SequenceFailure(frame, $"cannot be read ({exception.Message.TrimEnd('.')})", "See that the file is there and may be read, then enable the Fluid Playback again.");
+                    failure = new SequenceFailure(frame, $"cannot be read ({exception.Message.TrimEnd('.')})",
+                        "See that the file is there and may be read, then enable the Fluid Playback again.");
                 }
                 lock (gate)
                 {
@@ -167,7 +168,7 @@ namespace SphFluid
             }
         }
 
-        void Drop(SequenceSlot slot, in SequenceFailure failure)
+        private void Drop(SequenceSlot slot, in SequenceFailure failure)
         {
             failed[failure.Frame] = true;
             failures.Enqueue(failure);
@@ -177,7 +178,7 @@ namespace SphFluid
         }
 
         // The first frame that is needed and not there, and memory of one that is not needed.
-        bool TryPick(out int frame, out SequenceSlot slot)
+        private bool TryPick(out int frame, out SequenceSlot slot)
         {
             for (int i = 0; i < wantedCount; i++)
             {

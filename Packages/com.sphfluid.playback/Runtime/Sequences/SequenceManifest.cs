@@ -37,7 +37,8 @@ namespace SphFluid
             {
                 manifest = JsonUtility.FromJson<SequenceManifest>(text);
             }
-            catch (Exception exception) when (exception is ArgumentException || exception is FormatException || exception is OverflowException || exception is InvalidOperationException ||
+            catch (Exception exception) when (exception is ArgumentException || exception is FormatException ||
+                exception is OverflowException || exception is InvalidOperationException ||
                 exception is InvalidCastException)
             {
                 throw new SequenceException("is no JSON that can be read");
@@ -47,10 +48,17 @@ namespace SphFluid
             return manifest;
         }
 
-        void Check()
+        private void Check()
         {
-            if (format != FormatName) throw new SequenceException($"has the format '{format}', not '{FormatName}'", "Give the folder of a sequence.");
-            if (version != Version) throw new SequenceException($"has the version {version}, and this version of the package plays {Version}", "Write the sequence anew.");
+            if (format != FormatName)
+            {
+                throw new SequenceException($"has the format '{format}', not '{FormatName}'", "Give the folder of a sequence.");
+            }
+            if (version != Version)
+            {
+                throw new SequenceException($"has the version {version}, and this version of the package plays {Version}",
+                    "Write the sequence anew.");
+            }
             if (!(spacing > 0.0) || double.IsInfinity(spacing)) throw Wrong("spacing", "the particle spacing in metres");
             if (domainSize == null || domainSize.Length != 3) throw Wrong("domainSize", "three edge lengths in metres");
             foreach (float length in domainSize)
@@ -59,7 +67,8 @@ namespace SphFluid
             for (int i = 0; i < frames.Length; i++) frames[i].Check(i, i > 0 ? frames[i - 1].time : double.NegativeInfinity);
         }
 
-        static SequenceException Wrong(string field, string meant) => new SequenceException($"has no {field} that can be used", $"Give {field} {meant}.");
+        private static SequenceException Wrong(string field, string meant) =>
+            new SequenceException($"has no {field} that can be used", $"Give {field} {meant}.");
     }
 
     /// <summary>A frame in <see cref="SequenceManifest"/>.</summary>
@@ -85,15 +94,30 @@ namespace SphFluid
         /// <param name="before">Time of the frame before [s].</param>
         public void Check(int number, double before)
         {
-            if (!IsName(file)) throw new SequenceException($"names '{file}' as the file of frame {number}", "Name a file in the folder itself, without a path.");
+            if (!IsName(file))
+            {
+                throw new SequenceException($"names '{file}' as the file of frame {number}",
+                    "Name a file in the folder itself, without a path.");
+            }
             if (!(time > before) || double.IsInfinity(time))
-                throw new SequenceException(FormattableString.Invariant($"has the time {time} s for frame {number}, which is not after the frame before"), "Write frames in the order of their times.");
+            {
+                throw new SequenceException(
+                    FormattableString.Invariant($"has the time {time} s for frame {number}, which is not after the frame before"),
+                    "Write frames in the order of their times.");
+            }
             if (particles < 0 || particles > int.MaxValue || bytes < 0 || bytes > int.MaxValue)
-                throw new SequenceException($"has {particles} particles and {bytes} bytes for frame {number}", "Files of 2 GiB and more cannot be played: use a coarser spacing.");
-            if (crc32 == null || crc32.Length != 8 || !uint.TryParse(crc32, NumberStyles.AllowHexSpecifier, CultureInfo.InvariantCulture, out _))
+            {
+                throw new SequenceException($"has {particles} particles and {bytes} bytes for frame {number}",
+                    "Files of 2 GiB and more cannot be played: use a coarser spacing.");
+            }
+            if (crc32 == null || crc32.Length != 8 ||
+                !uint.TryParse(crc32, NumberStyles.AllowHexSpecifier, CultureInfo.InvariantCulture, out _))
+            {
                 throw new SequenceException($"has the crc32 '{crc32}' for frame {number}", "Write eight hexadecimal digits.");
+            }
         }
 
-        static bool IsName(string file) => !string.IsNullOrEmpty(file) && file != "." && file != ".." && file.IndexOfAny(new[] { '/', '\\', ':', '\0' }) < 0;
+        private static bool IsName(string file) => !string.IsNullOrEmpty(file) && file != "." && file != ".." &&
+            file.IndexOfAny(new[] { '/', '\\', ':', '\0' }) < 0;
     }
 }

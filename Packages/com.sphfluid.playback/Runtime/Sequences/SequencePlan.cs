@@ -18,7 +18,8 @@ namespace SphFluid
 
         public bool Interpolates;
 
-        public readonly bool Equals(PlaybackOptions other) => Folder == other.Folder && FrameRate.Equals(other.FrameRate) && Axes == other.Axes && Scale.Equals(other.Scale) &&
+        public readonly bool Equals(PlaybackOptions other) => Folder == other.Folder && FrameRate.Equals(other.FrameRate) &&
+            Axes == other.Axes && Scale.Equals(other.Scale) &&
             MemoryBudget == other.MemoryBudget && Interpolates == other.Interpolates;
 
         public override readonly bool Equals(object obj) => obj is PlaybackOptions other && Equals(other);
@@ -30,17 +31,18 @@ namespace SphFluid
     internal sealed class SequencePlan : IFluidPlayback
     {
         // A sequence of the simulation's own spacing but for the digits that were written down.
-        const float SpacingTolerance = 0.01f;
+        private const float SpacingTolerance = 0.01f;
 
-        readonly PlaybackOptions options;
-        readonly Object owner;
+        private readonly PlaybackOptions options;
+        private readonly Object owner;
 
-        SequencePlan(in PlaybackOptions options, ParticleSequence sequence, Object owner)
+        private SequencePlan(in PlaybackOptions options, ParticleSequence sequence, Object owner)
         {
             this.options = options;
             this.owner = owner;
             Sequence = sequence;
-            Slots = (int)Math.Min(sequence.Frames.Count, Math.Max(0L, ((long)options.MemoryBudget << 20) - FixedBytes) / Math.Max(1L, FrameBytes));
+            Slots = (int)Math.Min(sequence.Frames.Count,
+                Math.Max(0L, ((long)options.MemoryBudget << 20) - FixedBytes) / Math.Max(1L, FrameBytes));
         }
 
         /// <summary>The sequence.</summary>
@@ -61,10 +63,10 @@ namespace SphFluid
         /// <inheritdoc/>
         public long MostParticles => Sequence.MostParticles;
 
-        long FrameBytes => Sequence.MostParticles * StoredParticle.Stride;
+        private long FrameBytes => Sequence.MostParticles * StoredParticle.Stride;
 
         // The file as it is read, and the particles as they are shown.
-        long FixedBytes => Sequence.MostBytes + Sequence.MostParticles * FluidParticle.Stride;
+        private long FixedBytes => Sequence.MostBytes + Sequence.MostParticles * FluidParticle.Stride;
 
         /// <summary>Opens a sequence.</summary>
         /// <param name="options">Which, and how it is to be played.</param>
@@ -76,12 +78,14 @@ namespace SphFluid
             problem = null;
             if (string.IsNullOrWhiteSpace(options.Folder))
             {
-                problem = Invalid(owner, "No folder is given, so nothing is played.", "Set Folder to a sequence: a folder with sequence.json or .ply files.");
+                problem = Invalid(owner, "No folder is given, so nothing is played.",
+                    "Set Folder to a sequence: a folder with sequence.json or .ply files.");
                 return null;
             }
             if (!(options.Scale > 0f) || float.IsInfinity(options.Scale))
             {
-                problem = Invalid(owner, FormattableString.Invariant($"Scale is {options.Scale}, so nothing is played."), "Set Scale to the metres of a unit of length in the files; 1 for metres.");
+                problem = Invalid(owner, FormattableString.Invariant($"Scale is {options.Scale}, so nothing is played."),
+                    "Set Scale to the metres of a unit of length in the files; 1 for metres.");
                 return null;
             }
             try
@@ -89,7 +93,9 @@ namespace SphFluid
                 var plan = new SequencePlan(options, SequenceFolder.Open(options.Folder, options.FrameRate), owner);
                 if (plan.Slots >= Math.Min(2, plan.Sequence.Frames.Count)) return plan;
                 long needed = (plan.FixedBytes + 2L * plan.FrameBytes + (1L << 20) - 1) >> 20;
-                problem = Invalid(owner, $"A Memory Budget of {options.MemoryBudget} MiB holds fewer than two frames of {plan.MostParticles} particles, so nothing is played.",
+                problem = Invalid(owner,
+                    $"A Memory Budget of {options.MemoryBudget} MiB holds fewer than two frames of {plan.MostParticles} particles, so " +
+                    "nothing is played.",
                     $"Raise Memory Budget to {needed} or more.");
             }
             catch (SequenceException exception)
@@ -100,21 +106,31 @@ namespace SphFluid
         }
 
         /// <summary>Reads its frames.</summary>
-        public ISequenceReader MakeReader() => new SequenceReader(Sequence, IsOwn ? FluidSequenceAxes.AsUnity : options.Axes, IsOwn ? 1f : options.Scale);
+        public ISequenceReader MakeReader() =>
+            new SequenceReader(Sequence, IsOwn ? FluidSequenceAxes.AsUnity : options.Axes, IsOwn ? 1f : options.Scale);
 
         /// <inheritdoc/>
         public void Check(Vector3 domainSize, float spacing, List<FluidMessage> messages)
         {
             if (Sequence.Spacing > 0f && Mathf.Abs(Sequence.Spacing - spacing) > SpacingTolerance * spacing)
+            {
                 messages.Add(new FluidMessage(FluidSeverity.Warning, FluidIssue.PlaybackDiffers, owner,
-                    FormattableString.Invariant($"The sequence was made with a particle spacing of {Sequence.Spacing:G4} m, and the simulation's is {spacing:G4} m: surface and densities are those of another liquid."),
+                    FormattableString.Invariant($"The sequence was made with a particle spacing of {Sequence.Spacing:G4} m, and the ") +
+                    FormattableString.Invariant($"simulation's is {spacing:G4} m: surface and densities are those of another liquid."),
                     FormattableString.Invariant($"Set the simulation's Particle Spacing to {Sequence.Spacing:G4}.")));
+            }
             if (options.Interpolates && !Sequence.HasIds)
+            {
                 messages.Add(new FluidMessage(FluidSeverity.Info, FluidIssue.PlaybackDiffers, owner,
-                    "The particles of the sequence have no ids, so each frame is shown as it is, and nothing between two.", "Write the property id, the same number for a particle in all frames."));
+                    "The particles of the sequence have no ids, so each frame is shown as it is, and nothing between two.",
+                    "Write the property id, the same number for a particle in all frames."));
+            }
             if (IsOwn && (options.Axes != FluidSequenceAxes.AsUnity || options.Scale != 1f))
+            {
                 messages.Add(new FluidMessage(FluidSeverity.Info, FluidIssue.PlaybackDiffers, owner,
-                    $"The folder has a {SequenceManifest.FileName}, so its particles are in simulation space already: Axes and Scale are not used.", "Set Axes to As Unity and Scale to 1."));
+                    $"The folder has a {SequenceManifest.FileName}, so its particles are in simulation space already: Axes and Scale are " +
+                    "not used.", "Set Axes to As Unity and Scale to 1."));
+            }
         }
 
         /// <summary>Nothing is shown before it is played.</summary>
@@ -125,8 +141,9 @@ namespace SphFluid
         }
 
         // Written for this package.
-        bool IsOwn => Sequence.Spacing > 0f;
+        private bool IsOwn => Sequence.Spacing > 0f;
 
-        static FluidMessage Invalid(Object owner, string text, string cure) => new FluidMessage(FluidSeverity.Error, FluidIssue.PlaybackInvalid, owner, text, cure);
+        private static FluidMessage Invalid(Object owner, string text, string cure) =>
+            new FluidMessage(FluidSeverity.Error, FluidIssue.PlaybackInvalid, owner, text, cure);
     }
 }

@@ -10,14 +10,14 @@ namespace SphFluid
     /// <summary>Plays a sequence: has frames read ahead of where it stands, and makes the particles to show of those around.</summary>
     internal sealed class SequencePlayer : IFluidPlayback, IDisposable
     {
-        readonly SequencePlan plan;
-        readonly SequenceLoader loader;
-        readonly Object owner;
-        readonly Action<FluidMessage> report;
-        NativeArray<FluidParticle> particles;
-        NativeArray<int> counts;
-        PlaybackPlace place, shown;
-        bool waits, jumps, saidOutside, saidNotFinite;
+        private readonly SequencePlan plan;
+        private readonly SequenceLoader loader;
+        private readonly Object owner;
+        private readonly Action<FluidMessage> report;
+        private NativeArray<FluidParticle> particles;
+        private NativeArray<int> counts;
+        private PlaybackPlace place, shown;
+        private bool waits, jumps, saidOutside, saidNotFinite;
 
         /// <param name="plan">The sequence.</param>
         /// <param name="owner">The object that messages name.</param>
@@ -98,24 +98,25 @@ namespace SphFluid
         }
 
         // Before a frame that cannot be read the one before it stays.
-        PlaybackPlace Playable(in PlaybackPlace at)
+        private PlaybackPlace Playable(in PlaybackPlace at)
         {
             if (waits)
             {
                 loader.WaitFor(at.From);
                 loader.WaitFor(at.To);
             }
-            return at.To != at.From && !loader.HasFailed(at.From) && loader.HasFailed(at.To) ? new PlaybackPlace(at.From, at.From, 0.0, Sequence.Frames[at.From].Time) : at;
+            return at.To != at.From && !loader.HasFailed(at.From) && loader.HasFailed(at.To)
+                ? new PlaybackPlace(at.From, at.From, 0.0, Sequence.Frames[at.From].Time) : at;
         }
 
-        bool TryFind(int frame, out SequenceSlot slot)
+        private bool TryFind(int frame, out SequenceSlot slot)
         {
             slot = loader.Find(frame);
             IsBuffering = slot == null && !loader.HasFailed(frame);
             return slot != null;
         }
 
-        void Make(SequenceSlot from, SequenceSlot to, in PlaybackPlace at, Vector3 domainSize, Vector3 period)
+        private void Make(SequenceSlot from, SequenceSlot to, in PlaybackPlace at, Vector3 domainSize, Vector3 period)
         {
             new ShowParticlesJob
             {
@@ -133,26 +134,29 @@ namespace SphFluid
             }.Run();
         }
 
-        void Report(in SequenceFailure failure) => report(new FluidMessage(FluidSeverity.Warning, FluidIssue.PlaybackFrame, owner,
+        private void Report(in SequenceFailure failure) => report(new FluidMessage(FluidSeverity.Warning, FluidIssue.PlaybackFrame, owner,
             $"'{Sequence.Frames[failure.Frame].Name}' {failure.Text}, so its frame is not shown: the one before it stays.", failure.Cure));
 
-        void ReportLeftOut(int frame, Vector3 domainSize)
+        private void ReportLeftOut(int frame, Vector3 domainSize)
         {
             int outside = counts[ShowParticlesJob.Outside], notFinite = counts[ShowParticlesJob.NotFinite];
             LeftOut = outside + notFinite;
             if (outside > 0 && !saidOutside)
             {
                 saidOutside = true;
-                string made = Sequence.Spacing > 0f && !AffineMath.Same(Sequence.DomainSize, domainSize) ? $" The sequence was made in one of {FluidMessage.Lengths(Sequence.DomainSize)} m." : "";
+                string made = Sequence.Spacing > 0f && !AffineMath.Same(Sequence.DomainSize, domainSize)
+                    ? $" The sequence was made in one of {FluidMessage.Lengths(Sequence.DomainSize)} m." : "";
                 report(new FluidMessage(FluidSeverity.Warning, FluidIssue.PlaybackOutside, owner,
-                    $"{outside} particles of '{Sequence.Frames[frame].Name}' are outside of the domain of {FluidMessage.Lengths(domainSize)} m and are left out, as others after them.{made}",
+                    $"{outside} particles of '{Sequence.Frames[frame].Name}' are outside of the domain of " +
+                    $"{FluidMessage.Lengths(domainSize)} m and are left out, as others after them.{made}",
                     "Enlarge the simulation's Domain Size, or set Axes and Scale as the files have them."));
             }
             if (notFinite > 0 && !saidNotFinite)
             {
                 saidNotFinite = true;
                 report(new FluidMessage(FluidSeverity.Warning, FluidIssue.PlaybackOutside, owner,
-                    $"{notFinite} particles of '{Sequence.Frames[frame].Name}' have a position or velocity that is not a finite number and are left out, as others after them.",
+                    $"{notFinite} particles of '{Sequence.Frames[frame].Name}' have a position or velocity that is not a finite number " +
+                    "and are left out, as others after them.",
                     "Look for what went wrong where the sequence was made."));
             }
         }

@@ -14,14 +14,17 @@ namespace SphFluid
         void Read(int frame, SequenceSlot slot);
     }
 
-    /// <summary>Reads frames from files: checks them, decodes them, and puts their particles into simulation space and in the order of their numbers.</summary>
+    /// <summary>
+    /// Reads frames from files: checks them, decodes them, and puts their particles into simulation space and in the order of their
+    /// numbers.
+    /// </summary>
     internal sealed class SequenceReader : ISequenceReader
     {
-        readonly ParticleSequence sequence;
-        readonly FluidSequenceAxes axes;
-        readonly float scale;
-        readonly PlyHeader header = new PlyHeader();
-        readonly byte[] bytes;
+        private readonly ParticleSequence sequence;
+        private readonly FluidSequenceAxes axes;
+        private readonly float scale;
+        private readonly PlyHeader header = new PlyHeader();
+        private readonly byte[] bytes;
 
         /// <param name="sequence">What is read.</param>
         /// <param name="axes">Which way the axes of its files point.</param>
@@ -39,11 +42,21 @@ namespace SphFluid
         {
             SequenceFrame asked = sequence.Frames[frame];
             ReadOnlySpan<byte> file = ReadFile(asked);
-            if (asked.Crc is uint crc && Crc32.Compute(file) != crc) throw new SequenceException("was altered since the sequence was written: its CRC-32 is another");
+            if (asked.Crc is uint crc && Crc32.Compute(file) != crc)
+            {
+                throw new SequenceException("was altered since the sequence was written: its CRC-32 is another");
+            }
             header.Read(file);
             if (asked.Crc != null && header.Vertex.Count != asked.Particles)
-                throw new SequenceException($"has {header.Vertex.Count} particles where {SequenceManifest.FileName} says {asked.Particles}");
-            if (sequence.HasIds && !header.HasIds) throw new SequenceException("has particles without ids, and other frames have them", "Write the property id in all frames or in none.");
+            {
+                throw new SequenceException(
+                    $"has {header.Vertex.Count} particles where {SequenceManifest.FileName} says {asked.Particles}");
+            }
+            if (sequence.HasIds && !header.HasIds)
+            {
+                throw new SequenceException("has particles without ids, and other frames have them",
+                    "Write the property id in all frames or in none.");
+            }
             Span<StoredParticle> particles = slot.Resize(header.Vertex.Count);
             PlyDecoder.Decode(file, header, particles);
             Place(particles);
@@ -52,20 +65,30 @@ namespace SphFluid
                 for (int i = 0; i < particles.Length; i++) particles[i].Id = (uint)i;
         }
 
-        ReadOnlySpan<byte> ReadFile(in SequenceFrame frame)
+        private ReadOnlySpan<byte> ReadFile(in SequenceFrame frame)
         {
             using (FileStream stream = BoundedFile.Open(frame.Path))
             {
                 long length = stream.Length;
-                if (length < frame.Bytes) throw new SequenceException(FormattableString.Invariant($"was cut: it has {length} of {frame.Bytes} bytes"));
-                if (length > frame.Bytes) throw new SequenceException(FormattableString.Invariant($"has {length} bytes, more than the {frame.Bytes} that it should have"));
+                if (length < frame.Bytes)
+                {
+                    throw new SequenceException(FormattableString.Invariant($"was cut: it has {length} of {frame.Bytes} bytes"));
+                }
+                if (length > frame.Bytes)
+                {
+                    throw new SequenceException(
+                        FormattableString.Invariant($"has {length} bytes, more than the {frame.Bytes} that it should have"));
+                }
                 int read = BoundedFile.Fill(stream, bytes, (int)length);
-                if (read < length) throw new SequenceException(FormattableString.Invariant($"was cut: it has {read} of {frame.Bytes} bytes"));
+                if (read < length)
+                {
+                    throw new SequenceException(FormattableString.Invariant($"was cut: it has {read} of {frame.Bytes} bytes"));
+                }
                 return new ReadOnlySpan<byte>(bytes, 0, read);
             }
         }
 
-        void Place(Span<StoredParticle> particles)
+        private void Place(Span<StoredParticle> particles)
         {
             if (axes == FluidSequenceAxes.AsUnity && scale == 1f) return;
             for (int i = 0; i < particles.Length; i++)

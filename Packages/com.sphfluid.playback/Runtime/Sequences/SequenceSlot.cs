@@ -7,13 +7,14 @@ namespace SphFluid
     /// <summary>Memory for one frame that was read ahead. Filled by the thread that reads while nobody else looks at it.</summary>
     internal sealed unsafe class SequenceSlot : IDisposable
     {
-        readonly StoredParticle* memory;
-        NativeArray<StoredParticle> particles;
+        private readonly StoredParticle* memory;
+        private NativeArray<StoredParticle> particles;
 
         /// <param name="capacity">Most particles.</param>
         public SequenceSlot(int capacity)
         {
-            particles = new NativeArray<StoredParticle>(Math.Max(1, capacity), Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
+            particles = new NativeArray<StoredParticle>(Math.Max(1, capacity), Allocator.Persistent,
+                NativeArrayOptions.UninitializedMemory);
             memory = (StoredParticle*)NativeArrayUnsafeUtility.GetUnsafePtr(particles);
         }
 
@@ -35,7 +36,11 @@ namespace SphFluid
         /// <exception cref="SequenceException">There are more than it has place for.</exception>
         public Span<StoredParticle> Resize(long count)
         {
-            if (count > particles.Length) throw new SequenceException($"has {count} particles, more than any frame had when the folder was opened", "Disable the Fluid Playback and enable it again.");
+            if (count > particles.Length)
+            {
+                throw new SequenceException($"has {count} particles, more than any frame had when the folder was opened",
+                    "Disable the Fluid Playback and enable it again.");
+            }
             Count = (int)count;
             return new Span<StoredParticle>(memory, Count);
         }

@@ -3,8 +3,8 @@ namespace SphFluid
     /// <summary>The frames that a playback needs, in the order in which it needs them, if it goes on as it does.</summary>
     internal struct SequenceWalk
     {
-        readonly int count;
-        readonly FluidPlaybackLoop loop;
+        private readonly int count;
+        private readonly FluidPlaybackLoop loop;
 
         /// <param name="first">The first frame.</param>
         /// <param name="direction">1: on to later frames, −1: back to earlier ones.</param>
@@ -44,6 +44,7 @@ namespace SphFluid
         }
 
         /// <summary>Whether two walks are the same.</summary>
-        public readonly bool Is(in SequenceWalk other) => Frame == other.Frame && Direction == other.Direction && loop == other.loop && count == other.count;
+        public readonly bool Is(in SequenceWalk other) => Frame == other.Frame && Direction == other.Direction && loop == other.loop &&
+            count == other.count;
     }
 }

@@ -17,8 +17,9 @@ namespace SphFluid
     }
 
     /// <summary>
-    /// The particles at a place between two frames, found in both by their numbers. One that is in one frame only flies straight on and is there up to the middle. What is
-    /// outside of the domain or no number is left out and counted; what interpolation alone would carry through a face stays at it.
+    /// The particles at a place between two frames, found in both by their numbers. One that is in one frame only flies straight on and is
+    /// there up to the middle. What is outside of the domain or no number is left out and counted; what interpolation alone would carry
+    /// through a face stays at it.
     /// </summary>
     [BurstCompile(FloatPrecision.High, FloatMode.Strict)]
     internal struct ShowParticlesJob : IJob
@@ -50,7 +51,7 @@ namespace SphFluid
 
         public NativeArray<int> Counts;
 
-        int shown, outside, notFinite;
+        private int shown, outside, notFinite;
 
         public void Execute()
         {
@@ -63,7 +64,7 @@ namespace SphFluid
             (Counts[Shown], Counts[Outside], Counts[NotFinite]) = (shown, outside, notFinite);
         }
 
-        void Merge(ReadOnlySpan<StoredParticle> from, ReadOnlySpan<StoredParticle> to, Span<FluidParticle> particles)
+        private void Merge(ReadOnlySpan<StoredParticle> from, ReadOnlySpan<StoredParticle> to, Span<FluidParticle> particles)
         {
             int a = 0, b = 0;
             while (a < from.Length || b < to.Length)
@@ -82,12 +83,13 @@ namespace SphFluid
             }
         }
 
-        void AddAlone(Span<FluidParticle> particles, in StoredParticle particle, float time) =>
+        private void AddAlone(Span<FluidParticle> particles, in StoredParticle particle, float time) =>
             Add(particles, particle.Position + time * particle.Velocity, particle.Velocity, particle.Id, IsInside(particle.Position));
 
-        void AddBetween(Span<FluidParticle> particles, in StoredParticle from, in StoredParticle to)
+        private void AddBetween(Span<FluidParticle> particles, in StoredParticle from, in StoredParticle to)
         {
-            Vector3 way = new Vector3(Nearest(to.Position.x - from.Position.x, Period.x), Nearest(to.Position.y - from.Position.y, Period.y),
+            Vector3 way = new Vector3(Nearest(to.Position.x - from.Position.x, Period.x),
+                Nearest(to.Position.y - from.Position.y, Period.y),
                 Nearest(to.Position.z - from.Position.z, Period.z));
             bool isInside = IsInside(from.Position) && IsInside(to.Position);
             if (Blend == SequenceBlend.Linear)
@@ -95,15 +97,17 @@ namespace SphFluid
                 Add(particles, from.Position + Share * way, way / Duration, from.Id, isInside);
                 return;
             }
-            // The basis functions of cubic Hermite interpolation and their derivatives; that of the first position is one less that of the second.
+            // The basis functions of cubic Hermite interpolation and their derivatives; that of the first position is one less that of the
+            // second.
             float s = Share, s2 = s * s, s3 = s2 * s;
             float atFrom = s3 - 2f * s2 + s, atTo = s3 - s2, travelled = 3f * s2 - 2f * s3;
             Vector3 position = from.Position + travelled * way + Duration * (atFrom * from.Velocity + atTo * to.Velocity);
-            Vector3 velocity = (6f * (s - s2) / Duration) * way + (3f * s2 - 4f * s + 1f) * from.Velocity + (3f * s2 - 2f * s) * to.Velocity;
+            Vector3 velocity = (6f * (s - s2) / Duration) * way + (3f * s2 - 4f * s + 1f) * from.Velocity +
+                (3f * s2 - 2f * s) * to.Velocity;
             Add(particles, position, velocity, from.Id, isInside);
         }
 
-        void Add(Span<FluidParticle> particles, Vector3 position, Vector3 velocity, uint id, bool staysInside)
+        private void Add(Span<FluidParticle> particles, Vector3 position, Vector3 velocity, uint id, bool staysInside)
         {
             if (!IsNumber(position.x + position.y + position.z + velocity.x + velocity.y + velocity.z))
             {
@@ -117,18 +121,19 @@ namespace SphFluid
                     outside++;
                     return;
                 }
-                position = new Vector3(Held(position.x, Half.x, Period.x), Held(position.y, Half.y, Period.y), Held(position.z, Half.z, Period.z));
+                position = new Vector3(Held(position.x, Half.x, Period.x), Held(position.y, Half.y, Period.y),
+                    Held(position.z, Half.z, Period.z));
             }
             particles[shown++] = new FluidParticle(position, velocity, id);
         }
 
-        bool IsInside(Vector3 p) => Mathf.Abs(p.x) <= Half.x && Mathf.Abs(p.y) <= Half.y && Mathf.Abs(p.z) <= Half.z;
+        private bool IsInside(Vector3 p) => Mathf.Abs(p.x) <= Half.x && Mathf.Abs(p.y) <= Half.y && Mathf.Abs(p.z) <= Half.z;
 
-        static bool IsNumber(float sum) => sum - sum == 0f;
+        private static bool IsNumber(float sum) => sum - sum == 0f;
 
-        static float Nearest(float way, float period) => period > 0f ? way - period * Mathf.Round(way / period) : way;
+        private static float Nearest(float way, float period) => period > 0f ? way - period * Mathf.Round(way / period) : way;
 
-        static float Held(float place, float half, float period)
+        private static float Held(float place, float half, float period)
         {
             if (period > 0f && Mathf.Abs(place) > half) place -= period * Mathf.Round(place / period);
             return Mathf.Max(-half, Mathf.Min(half, place));

@@ -21,6 +21,7 @@ namespace SphFluid
 
         /// <summary>A particle of a liquid, at rest or half a step after its last force.</summary>
         /// <param name="particle">The particle.</param>
-        public static StoredParticle Create(in FluidParticle particle) => new StoredParticle { Position = particle.Position, Velocity = particle.VelT0, Id = particle.Id };
+        public static StoredParticle Create(in FluidParticle particle) =>
+            new StoredParticle { Position = particle.Position, Velocity = particle.VelT0, Id = particle.Id };
     }
 }

@@ -7,15 +7,15 @@ namespace SphFluid.Samples
     [RequireComponent(typeof(FluidPlayback))]
     public sealed class RecordAndPlay : MonoBehaviour
     {
-        [SerializeField, Min(0.1f), Tooltip("Time that is recorded, in seconds.")] float seconds = 1f;
+        [SerializeField, Min(0.1f), Tooltip("Time that is recorded, in seconds.")] private float seconds = 1f;
 
-        FluidPlayback playback;
-        FluidSimulation liquid;
-        FluidSequenceWriter writer;
-        string folder;
-        double written = double.NegativeInfinity;
+        private FluidPlayback playback;
+        private FluidSimulation liquid;
+        private FluidSequenceWriter writer;
+        private string folder;
+        private double written = double.NegativeInfinity;
 
-        void Start()
+        private void Start()
         {
             playback = GetComponent<FluidPlayback>();
             liquid = GetComponent<FluidSimulation>();
@@ -24,7 +24,7 @@ namespace SphFluid.Samples
             liquid.Updated += Record;
         }
 
-        void OnDestroy()
+        private void OnDestroy()
         {
             if (folder == null) return;
             liquid.Updated -= Record;
@@ -33,7 +33,7 @@ namespace SphFluid.Samples
             Directory.Delete(folder, true);
         }
 
-        void Record(FluidSimulation _)
+        private void Record(FluidSimulation _)
         {
             if (liquid.SimulatedTime <= written) return; // no step in this frame
             written = liquid.SimulatedTime;

@@ -6,17 +6,21 @@ using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>What is no regular file, or too long, is refused where a sequence reads: none of it is waited for or read to an end that it does not have.</summary>
+    /// <summary>
+    /// What is no regular file, or too long, is refused where a sequence reads: none of it is waited for or read to an end that it does not
+    /// have.
+    /// </summary>
     public sealed class BoundedFileTests
     {
-        const int MostSeconds = 60; // a test that hangs fails
+        private const int MostSeconds = 60; // a test that hangs fails
 
-        static readonly string[] NoFiles =
+        private static readonly string[] NoFiles =
         {
-            ": > $0", "mkfifo $0", "mkfifo $0.pipe && ln -s $0.pipe $0", "ln -s /dev/zero $0", "ln -s /dev/tty $0", "mkdir $0", "ln -s $0 $0", "ln -s /nowhere/at/all $0", "ln -s . $0",
+            ": > $0", "mkfifo $0", "mkfifo $0.pipe && ln -s $0.pipe $0", "ln -s /dev/zero $0", "ln -s /dev/tty $0", "mkdir $0",
+            "ln -s $0 $0", "ln -s /nowhere/at/all $0", "ln -s . $0",
         };
 
-        SequenceFiles files;
+        private SequenceFiles files;
 
         [SetUp]
         public void SetUp() => files = new SequenceFiles();
@@ -24,13 +28,13 @@ namespace SphFluid.Tests
         [TearDown]
         public void TearDown() => files.Dispose();
 
-        string Make(string command, string name)
+        private string Make(string command, string name)
         {
             Programs.Run("sh", "-c", command, files[name]);
             return files[name];
         }
 
-        static void Refused(Action read)
+        private static void Refused(Action read)
         {
             Task<bool> task = Task.Run(() =>
             {
@@ -39,7 +43,8 @@ namespace SphFluid.Tests
                     read();
                     return false;
                 }
-                catch (Exception exception) when (exception is IOException || exception is UnauthorizedAccessException || exception is SequenceException)
+                catch (Exception exception) when (exception is IOException || exception is UnauthorizedAccessException ||
+                    exception is SequenceException)
                 {
                     return true;
                 }
@@ -48,9 +53,10 @@ namespace SphFluid.Tests
             Assert.That(task.Result, Is.True, "it is read");
         }
 
-        void WriteSequence() => files.Write(new[] { 0.0, 1.0 }, i => ParticleSets.Random(3, Vector3.one, 1f, i), Vector3.one, 0.02f);
+        private void WriteSequence() =>
+            files.Write(new[] { 0.0, 1.0 }, i => ParticleSets.Random(3, Vector3.one, 1f, i), Vector3.one, 0.02f);
 
-        void ReadFrame(int frame, double rate)
+        private void ReadFrame(int frame, double rate)
         {
             using (var slot = new SequenceSlot(3)) new SequenceReader(SequenceFolder.Open(files.Folder, rate)).Read(frame, slot);
         }

@@ -12,9 +12,9 @@ namespace SphFluid.Tests
     /// <summary>A playback that is set up in the Editor: what is checked before it is played, and the folder as the field has it.</summary>
     public sealed class FluidPlaybackEditorTests
     {
-        SequenceFiles files;
-        FluidSimulation simulation;
-        FluidPlayback playback;
+        private SequenceFiles files;
+        private FluidSimulation simulation;
+        private FluidPlayback playback;
 
         [SetUp]
         public void SetUp()
@@ -78,7 +78,8 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void AnyMethodMayBeSet([Values(FluidMethodKind.Thesis, FluidMethodKind.Robust, FluidMethodKind.Automatic)] FluidMethodKind method)
+        public void AnyMethodMayBeSet([Values(FluidMethodKind.Thesis, FluidMethodKind.Robust,
+            FluidMethodKind.Automatic)] FluidMethodKind method)
         {
             Write(0.1f, 3);
             playback.Folder = files.Folder;
@@ -103,7 +104,8 @@ namespace SphFluid.Tests
                 ScriptPlayableOutput.Create(graph, "Track").SetSourcePlayable(playable);
                 playable.SetTime(0.5);
                 graph.Evaluate();
-                Assert.That((playback.Time, playback.Clock), Is.EqualTo((0f, FluidPlaybackClock.SceneTime)), "the scene would be changed by looking at it");
+                Assert.That((playback.Time, playback.Clock), Is.EqualTo((0f, FluidPlaybackClock.SceneTime)),
+                    "the scene would be changed by looking at it");
             }
             finally
             {
@@ -123,8 +125,9 @@ namespace SphFluid.Tests
             Assert.That(shortened, Is.EqualTo(expected.StartsWith("/", System.StringComparison.Ordinal) ? root + expected : expected));
         }
 
-        void Write(float spacing, int count) => files.Write(new[] { 0.0, 1.0 }, i => ParticleSets.Random(count, Vector3.one, 1f, i), Vector3.one, spacing);
+        private void Write(float spacing, int count) =>
+            files.Write(new[] { 0.0, 1.0 }, i => ParticleSets.Random(count, Vector3.one, 1f, i), Vector3.one, spacing);
 
-        FluidIssue[] Issues() => simulation.Validate().Select(m => m.Issue).ToArray();
+        private FluidIssue[] Issues() => simulation.Validate().Select(m => m.Issue).ToArray();
     }
 }

@@ -14,7 +14,7 @@ namespace SphFluid.Tests
     /// <summary>What the package shows in the Editor: help, icons, inspector and menu.</summary>
     public sealed class FluidPlaybackFormTests
     {
-        static readonly Type[] Documented = { typeof(FluidPlayback), typeof(FluidPlaybackClip) };
+        private static readonly Type[] Documented = { typeof(FluidPlayback), typeof(FluidPlaybackClip) };
 
         [Test]
         public void TheHelpIsAHeadingOfAPageThatExists([ValueSource(nameof(Documented))] Type type)
@@ -34,7 +34,8 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void TheInspectorAllowsSeveralObjects() => Assert.That(typeof(FluidPlaybackEditor).IsDefined(typeof(CanEditMultipleObjects), false));
+        public void TheInspectorAllowsSeveralObjects() =>
+        Assert.That(typeof(FluidPlaybackEditor).IsDefined(typeof(CanEditMultipleObjects), false));
 
         [Test]
         public void TheMenuMakesAPlaybackInOneStepOfUndo()
@@ -42,7 +43,8 @@ namespace SphFluid.Tests
             EditorSceneManager.NewScene(NewSceneSetup.EmptyScene);
             FluidPlaybackMenu.CreatePlayback(new MenuCommand(null));
             GameObject made = SceneManager.GetActiveScene().GetRootGameObjects().Single();
-            Assert.That(made.GetComponents<MonoBehaviour>().Select(c => c.GetType()), Is.EquivalentTo(new[] { typeof(FluidSimulation), typeof(FluidSurfaceRenderer), typeof(FluidPlayback) }));
+            Assert.That(made.GetComponents<MonoBehaviour>().Select(c => c.GetType()),
+                Is.EquivalentTo(new[] { typeof(FluidSimulation), typeof(FluidSurfaceRenderer), typeof(FluidPlayback) }));
             Undo.PerformUndo();
             Assert.That(SceneManager.GetActiveScene().GetRootGameObjects(), Is.Empty);
         }

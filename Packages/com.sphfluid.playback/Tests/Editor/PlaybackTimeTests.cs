@@ -79,7 +79,7 @@ namespace SphFluid.Tests
             Assert.That(string.Join(" ", frames), Is.EqualTo(count > first ? expected : "0"));
         }
 
-        static ParticleSequence Sequence(params double[] times) =>
+        private static ParticleSequence Sequence(params double[] times) =>
             new ParticleSequence("", Array.ConvertAll(times, t => new SequenceFrame("a.ply", t, 1, 1, null)), true, true);
     }
 }

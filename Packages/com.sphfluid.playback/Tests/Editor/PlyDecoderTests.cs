@@ -10,8 +10,8 @@ namespace SphFluid.Tests
     /// <summary>PLY files of every kind, read back; and those that are none.</summary>
     public sealed class PlyDecoderTests
     {
-        static readonly string[] Formats = { "ascii", "binary_little_endian", "binary_big_endian" };
-        static readonly int[] Counts = { 0, 1, 2, 257, 1009 };
+        private static readonly string[] Formats = { "ascii", "binary_little_endian", "binary_big_endian" };
+        private static readonly int[] Counts = { 0, 1, 2, 257, 1009 };
 
         [Test]
         public void ParticlesAreReadAsTheyWereWritten([ValueSource(nameof(Formats))] string format, [ValueSource(nameof(Counts))] int count)
@@ -23,15 +23,18 @@ namespace SphFluid.Tests
         [Test]
         public void PropertiesMayStandInAnyOrderAmongOthersAndBeOfAnyType([ValueSource(nameof(Formats))] string format)
         {
-            string[] properties = { "uchar red", "uint32 id", "double z", "float64 vx", "short mark", "float32 x", "float vz", "int8 sign", "double y", "ushort rank", "float vy", "int part" };
+            string[] properties = { "uchar red", "uint32 id", "double z", "float64 vx", "short mark", "float32 x", "float vz", "int8 sign",
+                "double y", "ushort rank", "float vy", "int part" };
             FluidParticle[] written = Particles(257);
             Check(SequenceFiles.Ply(written, format, properties), written, true, true);
         }
 
         [Test]
-        public void WholeNumbersAreReadOfEveryType([Values("char", "uchar", "short", "ushort", "int", "uint", "float", "double")] string type, [ValueSource(nameof(Formats))] string format)
+        public void WholeNumbersAreReadOfEveryType([Values("char", "uchar", "short", "ushort", "int", "uint", "float",
+            "double")] string type, [ValueSource(nameof(Formats))] string format)
         {
-            var written = new[] { new FluidParticle(new Vector3(1f, 2f, 3f), Vector3.zero, 7u), new FluidParticle(new Vector3(100f, 0f, 99f), Vector3.zero, 101u) };
+            var written = new[] { new FluidParticle(new Vector3(1f, 2f, 3f), Vector3.zero, 7u),
+                new FluidParticle(new Vector3(100f, 0f, 99f), Vector3.zero, 101u) };
             Check(SequenceFiles.Ply(written, format, new[] { type + " x", type + " y", type + " z", type + " id" }), written, false, true);
         }
 
@@ -47,7 +50,8 @@ namespace SphFluid.Tests
         {
             FluidParticle[] written = Particles(17);
             byte[] rows = { 1, 2, 3, 4, 2, 9, 0, 9, 0, 0 }; // two cells of two bytes; two faces with a list each, the second empty
-            const string before = "comment by hand\nelement cell 2\nproperty uchar a\nproperty uchar b\nelement face 2\nproperty list uchar ushort corners\n";
+            const string before =
+                "comment by hand\nelement cell 2\nproperty uchar a\nproperty uchar b\nelement face 2\nproperty list uchar ushort corners\n";
             byte[] file = SequenceFiles.Ply(written, "binary_little_endian", null, before, rows);
             Check(file, written, true, true);
             byte[] text = SequenceFiles.Ply(written, "ascii", null, before, Encoding.ASCII.GetBytes("1 2\n3 4\n2 9 9\n0\n"));
@@ -79,23 +83,33 @@ namespace SphFluid.Tests
         }
 
         [TestCase("ply\nformat ascii 1.0\nend_header\n", "no element vertex")]
-        [TestCase("ply\nelement vertex 0\nproperty float x\nproperty float y\nproperty float z\nend_header\n", "header that cannot be read")]
+        [TestCase("ply\nelement vertex 0\nproperty float x\nproperty float y\nproperty float z\nend_header\n",
+            "header that cannot be read")]
         [TestCase("ply\nformat gif 1.0\nelement vertex 0\nend_header\n", "header that cannot be read")]
         [TestCase("ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\nend_header\n", "without x, y and z")]
-        [TestCase("ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\nproperty float z\nproperty float vx\nend_header\n", "not all")]
+        [TestCase(
+            "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\nproperty float z\nproperty float " +
+            "vx\nend_header\n", "not all")]
         [TestCase("ply\nformat ascii 1.0\nelement vertex 0\nproperty list uchar float x\nend_header\n", "lists")]
         [TestCase("ply\nformat ascii 1.0\nelement vertex -1\nend_header\n", "header that cannot be read")]
         [TestCase("ply\nformat ascii 1.0\nelement vertex 4294967296\nend_header\n", "header that cannot be read")]
-        [TestCase("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float x\nend_header\n", "header that cannot be read")]
+        [TestCase("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float x\nend_header\n",
+            "header that cannot be read")]
         [TestCase("ply\nformat ascii 1.0\nproperty float x\nend_header\n", "header that cannot be read")]
         [TestCase("ply\nformat ascii 1.0\nelement vertex 1\nproperty quad x\nend_header\n", "header that cannot be read")]
         [TestCase("ply\nformat ascii 1.0\nelement vertex 1\n", "header that cannot be read")]
         [TestCase("solid ascii\n", "no PLY file")]
         [TestCase("", "no PLY file")]
-        [TestCase("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n1 two 3\n", "text where")]
-        [TestCase("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n1 2 3 4\n", "goes on behind")]
-        [TestCase("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nproperty int id\nend_header\n1 2 3 -4\n", "the id -4")]
-        [TestCase("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nproperty float id\nend_header\n1 2 3 4.5\n", "the id 4.5")]
+        [TestCase("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n1 two 3\n",
+            "text where")]
+        [TestCase("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n1 2 3 4\n",
+            "goes on behind")]
+        [TestCase(
+            "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nproperty int " +
+            "id\nend_header\n1 2 3 -4\n", "the id -4")]
+        [TestCase(
+            "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nproperty float " +
+            "id\nend_header\n1 2 3 4.5\n", "the id 4.5")]
         public void WhatIsNoneOrNotWholeIsNamed(string file, string expected)
         {
             var exception = Assert.Throws<SequenceException>(() => Decode(Encoding.ASCII.GetBytes(file), out _));
@@ -113,7 +127,8 @@ namespace SphFluid.Tests
         [Test]
         public void AHeaderThatNeverEndsIsLeftAfterSixtyFourKilobytes()
         {
-            byte[] file = Encoding.ASCII.GetBytes("ply\nformat ascii 1.0\n" + string.Concat(Enumerable.Repeat("comment on and on\n", 10000)));
+            byte[] file =
+                Encoding.ASCII.GetBytes("ply\nformat ascii 1.0\n" + string.Concat(Enumerable.Repeat("comment on and on\n", 10000)));
             Assert.That(() => new PlyHeader().Read(file), Throws.TypeOf<SequenceException>());
         }
 
@@ -142,7 +157,9 @@ namespace SphFluid.Tests
         public void ParticlesAreSortedByTheirNumbers([ValueSource(nameof(Counts))] int count)
         {
             var random = new System.Random(3);
-            StoredParticle[] particles = Enumerable.Range(0, count).Select(i => new StoredParticle { Id = (uint)(3 * i), Position = new Vector3(i, 0f, 0f) }).OrderBy(_ => random.Next()).ToArray();
+            StoredParticle[] particles = Enumerable.Range(0, count)
+                .Select(i => new StoredParticle { Id = (uint)(3 * i), Position = new Vector3(i, 0f, 0f) })
+                .OrderBy(_ => random.Next()).ToArray();
             ParticleIds.Sort(particles);
             for (int i = 0; i < count; i++) Assert.That((particles[i].Id, particles[i].Position.x), Is.EqualTo(((uint)(3 * i), (float)i)));
         }
@@ -154,10 +171,10 @@ namespace SphFluid.Tests
             Assert.That(() => ParticleIds.Sort(particles), Throws.TypeOf<SequenceException>().With.Message.Contains("the id 5"));
         }
 
-        static FluidParticle[] Particles(int count) => ParticleSets.Random(count, new Vector3(1f, 2f, 3f), 4f, 11)
+        private static FluidParticle[] Particles(int count) => ParticleSets.Random(count, new Vector3(1f, 2f, 3f), 4f, 11)
             .Select((p, i) => new FluidParticle(p.Position, p.VelT0, (uint)(7 * i + 3))).ToArray();
 
-        static StoredParticle[] Decode(byte[] file, out PlyHeader header)
+        private static StoredParticle[] Decode(byte[] file, out PlyHeader header)
         {
             header = new PlyHeader();
             header.Read(file);
@@ -166,13 +183,13 @@ namespace SphFluid.Tests
             return particles;
         }
 
-        static byte[] Insert(byte[] file, string before, string text)
+        private static byte[] Insert(byte[] file, string before, string text)
         {
             int at = Encoding.ASCII.GetString(file).IndexOf(before, StringComparison.Ordinal);
             return file.Take(at).Concat(Encoding.ASCII.GetBytes(text)).Concat(file.Skip(at)).ToArray();
         }
 
-        static void Check(byte[] file, IReadOnlyList<FluidParticle> written, bool hasVelocities, bool hasIds)
+        private static void Check(byte[] file, IReadOnlyList<FluidParticle> written, bool hasVelocities, bool hasIds)
         {
             StoredParticle[] read = Decode(file, out PlyHeader header);
             Assert.That((header.HasVelocities, header.HasIds, read.Length), Is.EqualTo((hasVelocities, hasIds, written.Count)));

@@ -9,17 +9,18 @@ using UnityEngine;
 namespace SphFluid.Tests
 {
     /// <summary>
-    /// Sequences broken at random: each file is played or refused in one message, and nothing else happens. SPHFLUID_FUZZ=5000 breaks so many; SPHFLUID_FUZZ_SEED=7 starts
-    /// elsewhere.
+    /// Sequences broken at random: each file is played or refused in one message, and nothing else happens. SPHFLUID_FUZZ=5000 breaks so
+    /// many; SPHFLUID_FUZZ_SEED=7 starts elsewhere.
     /// </summary>
     public sealed class SequenceFuzzTests
     {
-        const int UsualCount = 600;
-        const int Most = 64;
+        private const int UsualCount = 600;
+        private const int Most = 64;
 
-        static readonly string[] Words =
+        private static readonly string[] Words =
         {
-            "0", "-1", "1e400", "NaN", "Infinity", "4294967296", "2147483647", "2147483648", "99999999999999999999", "null", "true", "[]", "{}", "\"\"", "double", "list", "uchar", "vertex",
+            "0", "-1", "1e400", "NaN", "Infinity", "4294967296", "2147483647", "2147483648", "99999999999999999999", "null", "true", "[]",
+            "{}", "\"\"", "double", "list", "uchar", "vertex",
             "id", "ascii", "binary_big_endian", "binary_little_endian", "end_header", "ply", "..", "\u0661", "1.5", "0x10",
         };
 
@@ -32,13 +33,18 @@ namespace SphFluid.Tests
             using (var slot = new SequenceSlot(Most))
             {
                 sequence.Write(new[] { 0.0, 0.5, 1.0 }, i => ParticleSets.Random(Most - i, Vector3.one, 1f, i), Vector3.one, 0.1f);
-                File.WriteAllBytes(folder["a.ply"], SequenceFiles.Ply(ParticleSets.Random(Most, Vector3.one, 1f, 5), "ascii", new[] { "float x", "double y", "float z", "uint id" }));
-                File.WriteAllBytes(folder["b.ply"], SequenceFiles.Ply(ParticleSets.Random(31, Vector3.one, 1f, 6), "binary_big_endian", new[] { "float x", "short a", "float y", "double z", "uint id" },
+                File.WriteAllBytes(folder["a.ply"],
+                    SequenceFiles.Ply(ParticleSets.Random(Most, Vector3.one, 1f, 5), "ascii",
+                        new[] { "float x", "double y", "float z", "uint id" }));
+                File.WriteAllBytes(folder["b.ply"],
+                    SequenceFiles.Ply(ParticleSets.Random(31, Vector3.one, 1f, 6), "binary_big_endian",
+                        new[] { "float x", "short a", "float y", "double z", "uint id" },
                     "element face 1\nproperty list uchar int corners\n", new byte[] { 1, 0, 0, 0, 9 }));
                 for (int i = 0; i < count; i++)
                 {
                     var random = new System.Random(unchecked(seed * 31 + i));
-                    string[] files = Directory.GetFiles((i % 2 == 0 ? sequence : folder).Folder).OrderBy(f => f, StringComparer.Ordinal).ToArray();
+                    string[] files = Directory.GetFiles((i % 2 == 0 ? sequence : folder).Folder)
+                        .OrderBy(f => f, StringComparer.Ordinal).ToArray();
                     string file = files[random.Next(files.Length)];
                     byte[] original = File.ReadAllBytes(file);
                     File.WriteAllBytes(file, Broken(original, random));
@@ -67,7 +73,7 @@ namespace SphFluid.Tests
             Assert.That(refused, Is.InRange(count / 3, count), "broken at all, and not only");
         }
 
-        static void Play(string folder, SequenceSlot slot)
+        private static void Play(string folder, SequenceSlot slot)
         {
             ParticleSequence sequence = SequenceFolder.Open(folder, 30.0);
             if (sequence.MostBytes > 1 << 26) return; // more than any budget of a test
@@ -86,14 +92,14 @@ namespace SphFluid.Tests
             }
         }
 
-        static byte[] Broken(byte[] original, System.Random random)
+        private static byte[] Broken(byte[] original, System.Random random)
         {
             byte[] bytes = original;
             for (int left = 1 + random.Next(3); left > 0; left--) bytes = BrokenOnce(bytes, random);
             return bytes;
         }
 
-        static byte[] BrokenOnce(byte[] bytes, System.Random random)
+        private static byte[] BrokenOnce(byte[] bytes, System.Random random)
         {
             int at = random.Next(bytes.Length + 1);
             switch (random.Next(6))
@@ -108,7 +114,10 @@ namespace SphFluid.Tests
                     return bytes.Take(at).Concat(bytes.Skip(Math.Min(bytes.Length, at + 1 + random.Next(40)))).ToArray();
                 case 3:
                     var flipped = (byte[])bytes.Clone();
-                    for (int i = 1 + random.Next(8); i > 0 && flipped.Length > 0; i--) flipped[random.Next(flipped.Length)] ^= (byte)(1 << random.Next(8));
+                    for (int i = 1 + random.Next(8); i > 0 && flipped.Length > 0; i--)
+                    {
+                        flipped[random.Next(flipped.Length)] ^= (byte)(1 << random.Next(8));
+                    }
                     return flipped;
                 default: // another word in a line
                     string[] lines = Encoding.GetEncoding("ISO-8859-1").GetString(bytes).Split('\n');
@@ -120,6 +129,8 @@ namespace SphFluid.Tests
             }
         }
 
-        static int Setting(string name, int usual) => int.TryParse(Environment.GetEnvironmentVariable(name), NumberStyles.Integer, CultureInfo.InvariantCulture, out int value) ? value : usual;
+        private static int Setting(string name, int usual) =>
+            int.TryParse(Environment.GetEnvironmentVariable(name), NumberStyles.Integer, CultureInfo.InvariantCulture, out int value)
+                ? value : usual;
     }
 }

@@ -12,7 +12,7 @@ namespace SphFluid.Tests
     public sealed class SequenceLoaderTests
     {
         // Frames of one particle that has the frame's number; a gate holds reads back.
-        sealed class Numbers : ISequenceReader
+        private sealed class Numbers : ISequenceReader
         {
             public readonly HashSet<int> Bad = new HashSet<int>();
             public readonly List<int> Order = new List<int>();
@@ -22,13 +22,16 @@ namespace SphFluid.Tests
             {
                 Gate.Wait();
                 Order.Add(frame);
-                if (Bad.Contains(frame)) throw frame % 2 == 0 ? (Exception)new SequenceException("is bad", "Mend it.") : new IOException("No disk.");
+                if (Bad.Contains(frame))
+                {
+                    throw frame % 2 == 0 ? (Exception)new SequenceException("is bad", "Mend it.") : new IOException("No disk.");
+                }
                 slot.Resize(1)[0] = new StoredParticle { Id = (uint)frame };
             }
         }
 
-        Numbers reader;
-        SequenceLoader loader;
+        private Numbers reader;
+        private SequenceLoader loader;
 
         [SetUp]
         public void SetUp() => reader = new Numbers();
@@ -111,7 +114,8 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void BackwardsAndThereAndBackTheyAreReadAhead([Values(FluidPlaybackLoop.None, FluidPlaybackLoop.Repeat, FluidPlaybackLoop.PingPong)] FluidPlaybackLoop loop)
+        public void BackwardsAndThereAndBackTheyAreReadAhead([Values(FluidPlaybackLoop.None, FluidPlaybackLoop.Repeat,
+            FluidPlaybackLoop.PingPong)] FluidPlaybackLoop loop)
         {
             loader = new SequenceLoader(reader, 7, 3, 1);
             var walk = new SequenceWalk(6, -1, 7, loop);
@@ -144,13 +148,13 @@ namespace SphFluid.Tests
             Assert.That(made, Is.Zero);
         }
 
-        int Want(int frame)
+        private int Want(int frame)
         {
             loader.Want(new SequenceWalk(frame, 1, 100, FluidPlaybackLoop.Repeat));
             return frame;
         }
 
-        void CheckFrame(int frame)
+        private void CheckFrame(int frame)
         {
             loader.WaitFor(frame);
             SequenceSlot slot = loader.Find(frame);

@@ -11,9 +11,9 @@ namespace SphFluid.Tests
     public sealed class SequencePlayerTests
     {
         // Reads as the sequence's own reader does, when the gate is open.
-        sealed class Late : ISequenceReader, IDisposable
+        private sealed class Late : ISequenceReader, IDisposable
         {
-            readonly ISequenceReader files;
+            private readonly ISequenceReader files;
 
             public Late(ISequenceReader files) => this.files = files;
 
@@ -28,19 +28,21 @@ namespace SphFluid.Tests
             public void Dispose() => Gate.Dispose();
         }
 
-        readonly List<FluidMessage> messages = new List<FluidMessage>();
-        SequenceFiles files;
-        SequencePlan plan;
-        Late reader;
-        SequencePlayer player;
+        private readonly List<FluidMessage> messages = new List<FluidMessage>();
+        private SequenceFiles files;
+        private SequencePlan plan;
+        private Late reader;
+        private SequencePlayer player;
 
         [SetUp]
         public void SetUp()
         {
             messages.Clear();
             files = new SequenceFiles();
-            files.Write(new[] { 0.0, 1.0, 2.0 }, i => new[] { new FluidParticle(0.1f * i * Vector3.right, 0.1f * Vector3.right, 3u) }, Vector3.one, 0.1f);
-            plan = SequencePlan.TryMake(new PlaybackOptions { Folder = files.Folder, Scale = 1f, MemoryBudget = 1, Interpolates = true }, null, out _);
+            files.Write(new[] { 0.0, 1.0, 2.0 }, i => new[] { new FluidParticle(0.1f * i * Vector3.right, 0.1f * Vector3.right, 3u) },
+                Vector3.one, 0.1f);
+            plan = SequencePlan.TryMake(new PlaybackOptions { Folder = files.Folder, Scale = 1f, MemoryBudget = 1, Interpolates = true },
+                null, out _);
             reader = new Late(plan.MakeReader());
             player = new SequencePlayer(plan, null, messages.Add, reader);
         }
@@ -116,7 +118,8 @@ namespace SphFluid.Tests
                 WaitAndTake(new Vector3(0.3f, 1f, 1f));
                 Assert.That(player.LeftOut, Is.EqualTo(i < 2 ? 0 : 1));
             }
-            Assert.That(messages.Single().ToString(), Does.Contain("1 particles of 'frame-00002.ply' are outside").And.Contain("made in one of 1 × 1 × 1 m"));
+            Assert.That(messages.Single().ToString(),
+                Does.Contain("1 particles of 'frame-00002.ply' are outside").And.Contain("made in one of 1 × 1 × 1 m"));
             MoveTo(0.0);
             WaitAndTake(Vector3.zero);
             Assert.That(messages.Count, Is.EqualTo(1));
@@ -136,13 +139,13 @@ namespace SphFluid.Tests
             Assert.That(messages.Single().ToString(), Does.Contain("frame-00001.ply' was cut"));
         }
 
-        void MoveTo(double time, bool isJump = false) => player.MoveTo(time, 1, FluidPlaybackLoop.None, isJump, false);
+        private void MoveTo(double time, bool isJump = false) => player.MoveTo(time, 1, FluidPlaybackLoop.None, isJump, false);
 
-        bool TryTake(out FluidPlaybackFrame frame) => player.TryTake(Vector3.one, Vector3.zero, false, out frame);
+        private bool TryTake(out FluidPlaybackFrame frame) => player.TryTake(Vector3.one, Vector3.zero, false, out frame);
 
-        FluidPlaybackFrame TakeInTime() => WaitAndTake(Vector3.one);
+        private FluidPlaybackFrame TakeInTime() => WaitAndTake(Vector3.one);
 
-        FluidPlaybackFrame WaitAndTake(Vector3 domain)
+        private FluidPlaybackFrame WaitAndTake(Vector3 domain)
         {
             FluidPlaybackFrame frame = default;
             Assert.That(SpinWait.SpinUntil(() => player.TryTake(domain, Vector3.zero, false, out frame), TimeSpan.FromSeconds(30)));

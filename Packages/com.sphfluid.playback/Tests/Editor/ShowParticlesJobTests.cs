@@ -11,8 +11,8 @@ namespace SphFluid.Tests
     /// <summary>Particles between two frames, against motion that is known.</summary>
     public sealed class ShowParticlesJobTests
     {
-        static readonly Vector3 Half = 10f * Vector3.one;
-        static readonly int[] Counts = { 0, 1, 257, 1009 };
+        private static readonly Vector3 Half = 10f * Vector3.one;
+        private static readonly int[] Counts = { 0, 1, 257, 1009 };
 
         [Test]
         public void CubicMotionIsMetExactly([ValueSource(nameof(Counts))] int count, [Values(0.25f, 0.5f, 0.875f)] float share)
@@ -66,12 +66,16 @@ namespace SphFluid.Tests
         [TestCase(0.75f, "2 3 4 7 8")]
         public void ThoseOfOneFrameOnlyAreThereUpToTheMiddle(float share, string expected)
         {
-            StoredParticle Of(uint id, float x) => new StoredParticle { Id = id, Position = new Vector3(x, 0f, 0f), Velocity = new Vector3(2f, 0f, 0f) };
+            StoredParticle Of(uint id, float x) =>
+                new StoredParticle { Id = id, Position = new Vector3(x, 0f, 0f), Velocity = new Vector3(2f, 0f, 0f) };
             var from = new[] { Of(1, 0f), Of(2, 0f), Of(4, 0f), Of(6, 0f) };
             var to = new[] { Of(2, 2f), Of(3, 2f), Of(4, 2f), Of(7, 2f), Of(8, 2f) };
             FluidParticle[] shown = Show(from, to, share, 1f, out int[] counts);
             Assert.That(string.Join(" ", shown.Take(counts[0]).Select(p => p.Id)), Is.EqualTo(expected));
-            foreach (FluidParticle particle in shown.Take(counts[0])) Assert.That(particle.Position.x, Is.EqualTo(2f * share).Within(1e-6f), $"{particle.Id}");
+            foreach (FluidParticle particle in shown.Take(counts[0]))
+            {
+                Assert.That(particle.Position.x, Is.EqualTo(2f * share).Within(1e-6f), $"{particle.Id}");
+            }
         }
 
         [Test]
@@ -87,10 +91,12 @@ namespace SphFluid.Tests
         [Test]
         public void WhatIsOutsideOrNoNumberIsCountedAndLeftOut([Values(0f, 0.5f)] float share)
         {
-            StoredParticle Of(uint id, Vector3 position, Vector3 velocity = default) => new StoredParticle { Id = id, Position = position, Velocity = velocity };
+            StoredParticle Of(uint id, Vector3 position, Vector3 velocity = default) =>
+                new StoredParticle { Id = id, Position = position, Velocity = velocity };
             var particles = new[]
             {
-                Of(0, Vector3.zero), Of(1, new Vector3(10.01f, 0f, 0f)), Of(2, new Vector3(float.NaN, 0f, 0f)), Of(3, Vector3.zero, new Vector3(0f, float.PositiveInfinity, 0f)),
+                Of(0, Vector3.zero), Of(1, new Vector3(10.01f, 0f, 0f)), Of(2, new Vector3(float.NaN, 0f, 0f)),
+                Of(3, Vector3.zero, new Vector3(0f, float.PositiveInfinity, 0f)),
                 Of(4, 10f * Vector3.one), Of(5, new Vector3(0f, 0f, -11f)),
             };
             FluidParticle[] shown = Show(particles, particles, share, 1f, out int[] counts);
@@ -120,7 +126,7 @@ namespace SphFluid.Tests
         }
 
         // Cubics of time, another one for each particle and axis.
-        static StoredParticle[] At(double t, int count)
+        private static StoredParticle[] At(double t, int count)
         {
             var random = new System.Random(41);
             double Next() => random.NextDouble() - 0.5;
@@ -139,9 +145,11 @@ namespace SphFluid.Tests
             return particles;
         }
 
-        static (int, int, int) Bits(Vector3 v) => (BitConverter.SingleToInt32Bits(v.x), BitConverter.SingleToInt32Bits(v.y), BitConverter.SingleToInt32Bits(v.z));
+        private static (int, int, int) Bits(Vector3 v) =>
+            (BitConverter.SingleToInt32Bits(v.x), BitConverter.SingleToInt32Bits(v.y), BitConverter.SingleToInt32Bits(v.z));
 
-        static FluidParticle[] Show(StoredParticle[] from, StoredParticle[] to, float share, float duration, out int[] counts, SequenceBlend blend = SequenceBlend.Hermite,
+        private static FluidParticle[] Show(StoredParticle[] from, StoredParticle[] to, float share, float duration, out int[] counts,
+            SequenceBlend blend = SequenceBlend.Hermite,
             Vector3 period = default)
         {
             using (var first = new NativeArray<StoredParticle>(from, Allocator.TempJob))

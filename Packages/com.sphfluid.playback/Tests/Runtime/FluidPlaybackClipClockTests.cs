@@ -41,7 +41,8 @@ namespace SphFluid.Tests
                 Assert.That(playback.Clock, Is.EqualTo(clock));
             }
             for (int i = 0; i < 3; i++) yield return null;
-            if (clock == FluidPlaybackClock.Manual) Assert.That(CentreX(), Is.EqualTo(0.05f).Within(2e-6f), "the last frame of the clip stays");
+            if (clock == FluidPlaybackClock.Manual) Assert.That(CentreX(), Is.EqualTo(0.05f).Within(2e-6f),
+                "the last frame of the clip stays");
             else Assert.That(CentreX(), Is.GreaterThan(0.0515f), "it plays on");
             graph.Destroy();
             Assert.That(playback.Clock, Is.EqualTo(clock));
@@ -168,7 +169,8 @@ namespace SphFluid.Tests
             Place(track, Clip(start: 8f * Frame, speed: -1f), 7f, 9f);
             Show(track);
             graph.Play();
-            foreach ((float time, float shown) in new[] { (0f, 0f), (1f, 0f), (2.5f, 1.5f), (4.75f, 3.75f), (6f, 4f), (7f, 8f), (8.5f, 6.5f), (10f, 6f), (3f, 2f), (8f, 7f), (4f, 3f), (0f, 3f) })
+            foreach ((float time, float shown) in new[] { (0f, 0f), (1f, 0f), (2.5f, 1.5f), (4.75f, 3.75f), (6f, 4f), (7f, 8f),
+                (8.5f, 6.5f), (10f, 6f), (3f, 2f), (8f, 7f), (4f, 3f), (0f, 3f) })
             {
                 ShowAt(track, time * Frame);
                 yield return null;
@@ -177,7 +179,7 @@ namespace SphFluid.Tests
         }
 
         // From one frame to another.
-        void Place(ScriptPlayable<Track> track, FluidPlaybackClip clip, float from, float to)
+        private void Place(ScriptPlayable<Track> track, FluidPlaybackClip clip, float from, float to)
         {
             Playable playable = clip.CreatePlayable(graph, table.gameObject);
             playable.Pause();
@@ -186,7 +188,7 @@ namespace SphFluid.Tests
         }
 
         // Plays, places and pauses its clips before they are prepared, as a Timeline does.
-        sealed class Track : PlayableBehaviour
+        private sealed class Track : PlayableBehaviour
         {
             public List<(double From, double To)> Ranges { get; } = new List<(double From, double To)>();
 

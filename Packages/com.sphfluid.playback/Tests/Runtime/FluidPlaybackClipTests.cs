@@ -37,7 +37,8 @@ namespace SphFluid.Tests
             Open();
             FluidPlaybackClip clip = Clip();
             Playable playable = Add(clip);
-            foreach ((float start, float speed, float time, float expected) in new[] { (2f, 1f, 3f, 5f), (2f, 0.5f, 4f, 4f), (8f, -1f, 2f, 6f), (8f, -2f, 3f, 2f), (3f, 0f, 5f, 3f), (1f, -1f, 4f, 0f) })
+            foreach ((float start, float speed, float time, float expected) in new[] { (2f, 1f, 3f, 5f), (2f, 0.5f, 4f, 4f),
+                (8f, -1f, 2f, 6f), (8f, -2f, 3f, 2f), (3f, 0f, 5f, 3f), (1f, -1f, 4f, 0f) })
             {
                 (clip.Start, clip.Speed) = (start * Frame, speed);
                 ShowAt(playable, time * Frame);
@@ -54,7 +55,8 @@ namespace SphFluid.Tests
         public IEnumerator AfterHoursTimesAreAsExactAsAtTheBeginning()
         {
             yield return First;
-            files.Write(new[] { 0.0, 8192.0, 8192.0 + Frame }, i => new[] { new FluidParticle(new Vector3(0.1f * i, 0f, 0f), new Vector3(0.1f / Frame, 0f, 0f), 5u) },
+            files.Write(new[] { 0.0, 8192.0, 8192.0 + Frame },
+                i => new[] { new FluidParticle(new Vector3(0.1f * i, 0f, 0f), new Vector3(0.1f / Frame, 0f, 0f), 5u) },
                 0.4f * Vector3.one, SimulationRig.Spacing);
             Open();
             Playable playable = Add(Clip());
@@ -171,7 +173,8 @@ namespace SphFluid.Tests
             (clip.Start, clip.Speed) = (3f * Frame, -1f);
             Assert.That(clip.duration, Is.EqualTo(5.0), "backwards");
             yield return null;
-            foreach ((float start, float speed, double expected) in new[] { (0f, 1f, 8.0), (0f, 2f, 4.0), (2f, 0.5f, 12.0), (8f, -2f, 4.0), (3f, -1f, 3.0) })
+            foreach ((float start, float speed, double expected) in new[] { (0f, 1f, 8.0), (0f, 2f, 4.0), (2f, 0.5f, 12.0), (8f, -2f, 4.0),
+                (3f, -1f, 3.0) })
             {
                 (clip.Start, clip.Speed) = (start * Frame, speed);
                 Assert.That(clip.duration, Is.EqualTo(expected * Frame).Within(1e-9), $"{start}, {speed}");

@@ -10,7 +10,10 @@ using UnityEngine.TestTools;
 
 namespace SphFluid.Tests
 {
-    /// <summary>A liquid from files on a simulation: the same particles as if it were stepped, every way to move in time, and files that cannot be read.</summary>
+    /// <summary>
+    /// A liquid from files on a simulation: the same particles as if it were stepped, every way to move in time, and files that cannot be
+    /// read.
+    /// </summary>
     public sealed class FluidPlaybackTests : PlaybackTest
     {
         [UnityTest]
@@ -44,9 +47,13 @@ namespace SphFluid.Tests
                 FluidParticle[] shown = SimulationRig.Read(simulation);
                 Assert.That(shown.Length, Is.EqualTo(states[frame].Length));
                 for (int i = 0; i < shown.Length; i++)
-                    Assert.That((shown[i].Id, shown[i].Position.Equals(states[frame][i].Position), shown[i].VelT0.Equals(states[frame][i].VelT0)), Is.EqualTo((states[frame][i].Id, true, true)),
+                {
+                    Assert.That((shown[i].Id, shown[i].Position.Equals(states[frame][i].Position),
+                        shown[i].VelT0.Equals(states[frame][i].VelT0)), Is.EqualTo((states[frame][i].Id, true, true)),
                         $"{i} of frame {frame}");
-                Assert.That((playback.CurrentFrame, simulation.SimulatedTime, simulation.ParticleCount), Is.EqualTo((frame, times[frame], shown.Length)));
+                }
+                Assert.That((playback.CurrentFrame, simulation.SimulatedTime, simulation.ParticleCount),
+                    Is.EqualTo((frame, times[frame], shown.Length)));
             }
             Assert.That((playback.FrameCount, playback.SequenceSpacing, playback.SequenceDomainSize, playback.Source),
                 Is.EqualTo((states.Count, spacing, recorded.DomainSize, "this test")));
@@ -91,9 +98,10 @@ namespace SphFluid.Tests
             }
         }
 
-        static readonly string[] Rounds =
+        private static readonly string[] Rounds =
         {
-            "Repeat 1: 0 1 2 3 4 1 2 3 4 1", "PingPong 1: 0 1 2 3 4 3 2 1 0 1", "None -1: 0 0 0", "Repeat -1: 0 3 2 1 0 3 2", "PingPong -1: 0 1 2 3 4 3 2",
+            "Repeat 1: 0 1 2 3 4 1 2 3 4 1", "PingPong 1: 0 1 2 3 4 3 2 1 0 1", "None -1: 0 0 0", "Repeat -1: 0 3 2 1 0 3 2",
+            "PingPong -1: 0 1 2 3 4 3 2",
         };
 
         [UnityTest]
@@ -175,7 +183,10 @@ namespace SphFluid.Tests
             File.WriteAllBytes(files["frame-00005.ply"], whole);
             Open(loop: FluidPlaybackLoop.Repeat);
             foreach (string name in new[] { "00002.ply' cannot be read", "00004.ply' was cut", "00005.ply' was altered" })
-                LogAssert.Expect(LogType.Warning, new Regex($"'Playback': 'frame-{name}.*so its frame is not shown: the one before it stays"));
+            {
+                LogAssert.Expect(LogType.Warning,
+                    new Regex($"'Playback': 'frame-{name}.*so its frame is not shown: the one before it stays"));
+            }
             var shown = new List<int>();
             for (int i = 0; i < 15; i++)
             {
@@ -212,7 +223,8 @@ namespace SphFluid.Tests
         {
             yield return First;
             var frames = new[] { 3, 0, 257, 1, 31 };
-            files.Write(frames.Select((_, i) => i * (double)Frame).ToArray(), i => ParticleSets.Random(frames[i], 0.3f * Vector3.one, 1f, i), 0.4f * Vector3.one, SimulationRig.Spacing);
+            files.Write(frames.Select((_, i) => i * (double)Frame).ToArray(),
+                i => ParticleSets.Random(frames[i], 0.3f * Vector3.one, 1f, i), 0.4f * Vector3.one, SimulationRig.Spacing);
             Open();
             foreach (int count in frames)
             {
@@ -227,10 +239,14 @@ namespace SphFluid.Tests
         public IEnumerator ParticlesOutsideOfTheDomainAreLeftOutCountedAndNamedOnce()
         {
             yield return First;
-            var outside = new[] { new FluidParticle(Vector3.zero, Vector3.zero, 0u), new FluidParticle(0.21f * Vector3.right, Vector3.zero, 1u), new FluidParticle(Vector3.up, Vector3.zero, 2u) };
+            var outside = new[] { new FluidParticle(Vector3.zero, Vector3.zero, 0u),
+                new FluidParticle(0.21f * Vector3.right, Vector3.zero, 1u), new FluidParticle(Vector3.up, Vector3.zero, 2u) };
             files.Write(new[] { 0.0, Frame, 2.0 * Frame }, _ => outside, new Vector3(0.5f, 3f, 0.4f), SimulationRig.Spacing);
             Open();
-            LogAssert.Expect(LogType.Warning, new Regex(@"2 particles of 'frame-00000.ply' are outside of the domain of 0.4 × 0.4 × 0.4 m.*made in one of 0.5 × 3 × 0.4 m.*Enlarge"));
+            LogAssert.Expect(LogType.Warning,
+                new Regex(
+                    @"2 particles of 'frame-00000.ply' are outside of the domain of 0.4 × 0.4 × 0.4 m.*made in one of 0.5 × 3 × 0.4 " +
+                    @"m.*Enlarge"));
             for (int i = 0; i < 3; i++) yield return null;
             Assert.That((simulation.ParticleCount, playback.LeftOutParticles), Is.EqualTo((1, 2)));
             Assert.That(simulation.Messages.Count(m => m.Issue == FluidIssue.PlaybackOutside), Is.EqualTo(1));
@@ -260,7 +276,8 @@ namespace SphFluid.Tests
             LogAssert.Expect(LogType.Error, new Regex("'Playback': 'no such folder' is no folder, so nothing is played"));
             playback.Folder = "no such folder";
             yield return null;
-            Assert.That((simulation.IsPlayedBack, playback.IsOpen, playback.Problem?.Issue), Is.EqualTo((false, false, (FluidIssue?)FluidIssue.PlaybackInvalid)));
+            Assert.That((simulation.IsPlayedBack, playback.IsOpen, playback.Problem?.Issue),
+                Is.EqualTo((false, false, (FluidIssue?)FluidIssue.PlaybackInvalid)));
             yield return null;
             Assert.That(simulation.ParticleCount, Is.EqualTo(64));
         }

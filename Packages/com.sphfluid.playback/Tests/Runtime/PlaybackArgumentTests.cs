@@ -15,7 +15,10 @@ namespace SphFluid.Tests
 
         protected override object Example(Type type)
         {
-            if (type == typeof(FluidSequenceWriter)) return Made(new FluidSequenceWriter(FreshFolder(), Simulation.DomainSize, Simulation.Spacing));
+            if (type == typeof(FluidSequenceWriter))
+            {
+                return Made(new FluidSequenceWriter(FreshFolder(), Simulation.DomainSize, Simulation.Spacing));
+            }
             return base.Example(type);
         }
     }

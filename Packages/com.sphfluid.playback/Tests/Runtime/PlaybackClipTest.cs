@@ -9,7 +9,7 @@ namespace SphFluid.Tests
     /// <summary>A graph of playables, as a Timeline makes one, for clips of a played liquid.</summary>
     public abstract class PlaybackClipTest : PlaybackTest
     {
-        readonly List<Object> made = new List<Object>();
+        private readonly List<Object> made = new List<Object>();
 
         protected PlayableGraph graph;
         private protected Table table;
@@ -50,7 +50,8 @@ namespace SphFluid.Tests
             return playable;
         }
 
-        protected void Show<T>(T playable) where T : struct, IPlayable => ScriptPlayableOutput.Create(graph, "Track").SetSourcePlayable(playable);
+        protected void Show<T>(T playable)
+            where T : struct, IPlayable => ScriptPlayableOutput.Create(graph, "Track").SetSourcePlayable(playable);
 
         protected void ShowAt<T>(T playable, double time) where T : struct, IPlayable
         {
@@ -61,7 +62,7 @@ namespace SphFluid.Tests
         // What a scene's references are to a Timeline.
         private protected sealed class Table : MonoBehaviour, IExposedPropertyTable
         {
-            readonly Dictionary<PropertyName, Object> values = new Dictionary<PropertyName, Object>();
+            private readonly Dictionary<PropertyName, Object> values = new Dictionary<PropertyName, Object>();
 
             public void SetReferenceValue(PropertyName id, Object value) => values[id] = value;
 

@@ -10,9 +10,9 @@ namespace SphFluid.Tests
     /// <summary>Settings of the package that they should not have.</summary>
     public sealed class PlaybackSettingsTests : SettingsContract
     {
-        SequenceFiles files;
+        private SequenceFiles files;
 
-        static IEnumerable<Type> Roots => RootsOf(typeof(FluidPlayback).Assembly);
+        private static IEnumerable<Type> Roots => RootsOf(typeof(FluidPlayback).Assembly);
 
         [SetUp]
         public void MakeFolder() => files = new SequenceFiles();
@@ -31,7 +31,7 @@ namespace SphFluid.Tests
         }
 
         // Without sequence.json, so that a playback's own numbers count.
-        string Sequence()
+        private string Sequence()
         {
             for (int i = 0; i < 3; i++) File.WriteAllBytes(files[$"f{i}.ply"], SequenceFiles.Ply(SimulationRig.Read(Simulation)));
             return files.Folder;

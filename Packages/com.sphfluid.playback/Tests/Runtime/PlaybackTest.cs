@@ -34,10 +34,12 @@ namespace SphFluid.Tests
         {
             float step = frames < 50 ? 0.01f : 0.001f;
             files.Write(Enumerable.Range(0, frames).Select(i => i * (double)interval).ToArray(),
-                i => new[] { new FluidParticle(new Vector3(step * i, 0f, 0f), new Vector3(step / interval, 0f, 0f), 5u) }, 0.4f * Vector3.one, SimulationRig.Spacing);
+                i => new[] { new FluidParticle(new Vector3(step * i, 0f, 0f), new Vector3(step / interval, 0f, 0f), 5u) },
+                0.4f * Vector3.one, SimulationRig.Spacing);
         }
 
-        protected void Open(float spacing = SimulationRig.Spacing, float speed = 1f, FluidPlaybackLoop loop = FluidPlaybackLoop.None, float domain = 0.4f)
+        protected void Open(float spacing = SimulationRig.Spacing, float speed = 1f, FluidPlaybackLoop loop = FluidPlaybackLoop.None,
+            float domain = 0.4f)
         {
             simulation = rig.Create("Playback", liquid: false);
             simulation.Spacing = spacing;

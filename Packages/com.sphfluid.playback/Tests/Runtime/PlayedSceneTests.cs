@@ -9,7 +9,9 @@ using UnityEngine.TestTools;
 
 namespace SphFluid.Tests
 {
-    /// <summary>What the rest of a scene makes of a liquid that is played: views, whitewater, queries, instruments, and what does nothing meanwhile.</summary>
+    /// <summary>
+    /// What the rest of a scene makes of a liquid that is played: views, whitewater, queries, instruments, and what does nothing meanwhile.
+    /// </summary>
     public sealed class PlayedSceneTests : PlaybackTest
     {
         [UnityTest]
@@ -78,7 +80,8 @@ namespace SphFluid.Tests
         {
             yield return First;
             files.Write(Enumerable.Range(0, 200).Select(i => i * (double)Frame).ToArray(),
-                _ => ParticleSets.Lattice(new Vector3Int(8, 4, 8), 0.05f, 0f, 1).Select(p => new FluidParticle(p.Position - 0.1f * Vector3.up, 0.5f * Vector3.right, p.Id)).ToArray(),
+                _ => ParticleSets.Lattice(new Vector3Int(8, 4, 8), 0.05f, 0f, 1)
+                    .Select(p => new FluidParticle(p.Position - 0.1f * Vector3.up, 0.5f * Vector3.right, p.Id)).ToArray(),
                 0.4f * Vector3.one, SimulationRig.Spacing);
             Open();
             playback.Interpolate = false;
@@ -112,7 +115,8 @@ namespace SphFluid.Tests
             yield return First;
             const int count = 257;
             FluidParticle[] particles = ParticleSets.Random(count, 0.3f * Vector3.one, 0f, 3);
-            files.Write(Enumerable.Range(0, 300).Select(i => i * (double)Frame).ToArray(), _ => particles, 0.4f * Vector3.one, SimulationRig.Spacing);
+            files.Write(Enumerable.Range(0, 300).Select(i => i * (double)Frame).ToArray(), _ => particles, 0.4f * Vector3.one,
+                SimulationRig.Spacing);
             Open(speed: 0.7f, loop: FluidPlaybackLoop.Repeat);
             var meter = simulation.gameObject.AddComponent<BeginMeter>();
             simulation.gameObject.AddComponent<EndMeter>().Begin = meter;
@@ -140,21 +144,21 @@ namespace SphFluid.Tests
 
         // Before and after the playback's own frame.
         [DefaultExecutionOrder(39)]
-        sealed class BeginMeter : MonoBehaviour
+        private sealed class BeginMeter : MonoBehaviour
         {
             public long Before { get; private set; }
 
             public long Made { get; set; }
 
-            void LateUpdate() => Before = GC.GetAllocatedBytesForCurrentThread();
+            private void LateUpdate() => Before = GC.GetAllocatedBytesForCurrentThread();
         }
 
         [DefaultExecutionOrder(41)]
-        sealed class EndMeter : MonoBehaviour
+        private sealed class EndMeter : MonoBehaviour
         {
             public BeginMeter Begin { get; set; }
 
-            void LateUpdate() => Begin.Made = GC.GetAllocatedBytesForCurrentThread() - Begin.Before;
+            private void LateUpdate() => Begin.Made = GC.GetAllocatedBytesForCurrentThread() - Begin.Before;
         }
 
         [UnityTest]
@@ -195,7 +199,7 @@ namespace SphFluid.Tests
             Assert.That(CentreX(), Is.EqualTo(0.03f).Within(1e-6f), "the nearer frame");
         }
 
-        T Place<T>(Vector3 position) where T : Component
+        private T Place<T>(Vector3 position) where T : Component
         {
             GameObject holder = rig.NewObject(typeof(T).Name);
             holder.transform.SetParent(simulation.transform, false);
@@ -203,7 +207,7 @@ namespace SphFluid.Tests
             return holder.AddComponent<T>();
         }
 
-        IEnumerator RecordSplash()
+        private IEnumerator RecordSplash()
         {
             FluidSimulation splash = rig.Create("Splash", liquid: false);
             splash.DomainSize = 0.6f * Vector3.one;

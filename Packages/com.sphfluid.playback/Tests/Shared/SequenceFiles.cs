@@ -26,7 +26,8 @@ namespace SphFluid.Tests
         /// <param name="properties">Types and names; what a particle does not have gets its place in the file.</param>
         /// <param name="before">Lines of the header that stand before the particles.</param>
         /// <param name="rows">Bytes of the elements of those lines.</param>
-        public static byte[] Ply(IReadOnlyList<FluidParticle> particles, string format = "binary_little_endian", string[] properties = null, string before = "", byte[] rows = null)
+        public static byte[] Ply(IReadOnlyList<FluidParticle> particles, string format = "binary_little_endian", string[] properties = null,
+            string before = "", byte[] rows = null)
         {
             properties ??= AllProperties;
             var header = new StringBuilder($"ply\nformat {format} 1.0\n{before}element vertex {particles.Count}\n");
@@ -39,14 +40,18 @@ namespace SphFluid.Tests
                 {
                     string[] words = properties[p].Split(' ');
                     double value = ValueOf(particles[i], words[1], i);
-                    if (format == "ascii") bytes.AddRange(Encoding.ASCII.GetBytes(value.ToString("R", CultureInfo.InvariantCulture) + (p + 1 < properties.Length ? " " : "\n")));
+                    if (format ==
+                        "ascii") bytes
+                            .AddRange(
+                                Encoding.ASCII.GetBytes(value.ToString("R", CultureInfo.InvariantCulture) +
+                                    (p + 1 < properties.Length ? " " : "\n")));
                     else bytes.AddRange(BytesOf(value, words[0], format == "binary_big_endian"));
                 }
             }
             return bytes.ToArray();
         }
 
-        static double ValueOf(in FluidParticle particle, string name, int place)
+        private static double ValueOf(in FluidParticle particle, string name, int place)
         {
             switch (name)
             {
@@ -61,14 +66,14 @@ namespace SphFluid.Tests
             }
         }
 
-        static byte[] BytesOf(double value, string type, bool big)
+        private static byte[] BytesOf(double value, string type, bool big)
         {
             byte[] bytes = Little(value, type);
             if (big) Array.Reverse(bytes);
             return bytes;
         }
 
-        static byte[] Little(double value, string type)
+        private static byte[] Little(double value, string type)
         {
             switch (type)
             {

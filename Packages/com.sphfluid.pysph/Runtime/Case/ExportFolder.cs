@@ -12,12 +12,12 @@ namespace SphFluid
     {
         public const string ManifestName = "manifest.json";
 
-        const int MostManifestBytes = 1 << 26;
+        private const int MostManifestBytes = 1 << 26;
 
-        readonly string path;
-        readonly List<ExportManifest.Entry> files = new List<ExportManifest.Entry>();
+        private readonly string path;
+        private readonly List<ExportManifest.Entry> files = new List<ExportManifest.Entry>();
 
-        ExportFolder(string path)
+        private ExportFolder(string path)
         {
             this.path = path;
         }
@@ -66,7 +66,8 @@ namespace SphFluid
         }
 
         /// <summary>Writes a text file: UTF-8, line feeds.</summary>
-        public void WriteText(string name, string text) => Write(name, stream => stream.Write(Encoding.UTF8.GetBytes(text.Replace("\r\n", "\n"))));
+        public void WriteText(string name, string text) =>
+            Write(name, stream => stream.Write(Encoding.UTF8.GetBytes(text.Replace("\r\n", "\n"))));
 
         /// <summary>Writes the manifest, last: a folder that has it is whole.</summary>
         public void Close(ExportManifest manifest)
@@ -75,7 +76,7 @@ namespace SphFluid
             File.WriteAllText(Path.Combine(path, ManifestName), JsonUtility.ToJson(manifest, true) + "\n");
         }
 
-        static void RemoveFilesOf(string path, string manifest)
+        private static void RemoveFilesOf(string path, string manifest)
         {
             ExportManifest earlier = null;
             try
@@ -90,7 +91,10 @@ namespace SphFluid
                 // No JSON, or no file: not ours.
             }
             if (earlier?.format != ExportManifest.FormatName)
-                throw new IOException($"The folder '{path}' holds a {ManifestName} that no export wrote. Name another folder, or empty it.");
+            {
+                throw new IOException(
+                    $"The folder '{path}' holds a {ManifestName} that no export wrote. Name another folder, or empty it.");
+            }
             File.Delete(manifest);
             foreach (ExportManifest.Entry file in earlier.files)
                 if (file.name == Path.GetFileName(file.name)) File.Delete(Path.Combine(path, file.name));

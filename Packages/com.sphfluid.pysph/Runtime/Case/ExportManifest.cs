@@ -4,7 +4,10 @@ using UnityEngine;
 
 namespace SphFluid
 {
-    /// <summary>manifest.json: what was exported from what, all that the scripts know of it, and a hash of every file. Names are those of the file's keys; no inspector shows them.</summary>
+    /// <summary>
+    /// manifest.json: what was exported from what, all that the scripts know of it, and a hash of every file. Names are those of the file's
+    /// keys; no inspector shows them.
+    /// </summary>
     [Serializable]
     internal sealed class ExportManifest
     {

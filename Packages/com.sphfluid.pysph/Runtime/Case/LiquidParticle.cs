@@ -21,6 +21,7 @@ namespace SphFluid
 
         /// <summary>A particle of a liquid, at rest or half a step after its last force.</summary>
         /// <param name="particle">The particle.</param>
-        public static LiquidParticle Of(in FluidParticle particle) => new LiquidParticle { Position = particle.Position, Velocity = particle.VelT0, Id = particle.Id };
+        public static LiquidParticle Of(in FluidParticle particle) =>
+            new LiquidParticle { Position = particle.Position, Velocity = particle.VelT0, Id = particle.Id };
     }
 }

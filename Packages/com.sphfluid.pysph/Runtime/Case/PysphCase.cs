@@ -12,9 +12,9 @@ namespace SphFluid
         /// <summary>Version of PySPH that the scripts were made for and are tested with.</summary>
         public const string EngineVersion = "1.0b1";
 
-        readonly ExportConstants constants;
-        readonly FluidExportOptions options;
-        readonly string simulation;
+        private readonly ExportConstants constants;
+        private readonly FluidExportOptions options;
+        private readonly string simulation;
 
         /// <param name="simulation">Name of the simulation.</param>
         /// <param name="constants">What it computes with.</param>
@@ -27,8 +27,8 @@ namespace SphFluid
         }
 
         /// <summary>
-        /// Layers of a wall that the outermost liquid feels, half a spacing before the face: its kernel ends 2 h away with WCSPH, 3 h with EDAC, h = 1.3 dx. PySPH's
-        /// dam break has two as well.
+        /// Layers of a wall that the outermost liquid feels, half a spacing before the face: its kernel ends 2 h away with WCSPH, 3 h with
+        /// EDAC, h = 1.3 dx. PySPH's dam break has two as well.
         /// </summary>
         public static int Layers(FluidExportScheme scheme) => scheme == FluidExportScheme.Edac ? 3 : 2;
 
@@ -40,7 +40,7 @@ namespace SphFluid
         /// <summary>What is not exported, for the manifest.</summary>
         public IReadOnlyList<FluidMessage> Messages { get; set; } = Array.Empty<FluidMessage>();
 
-        string Scheme => options.Scheme == FluidExportScheme.Edac ? "EDAC" : "WCSPH";
+        private string Scheme => options.Scheme == FluidExportScheme.Edac ? "EDAC" : "WCSPH";
 
         /// <summary>Writes the case.</summary>
         /// <param name="path">The folder.</param>
@@ -63,7 +63,7 @@ namespace SphFluid
             return folder.Bytes;
         }
 
-        ExportManifest Manifest() => new ExportManifest
+        private ExportManifest Manifest() => new ExportManifest
         {
             commit = options.Commit ?? "",
             scene = options.Scene,
@@ -78,12 +78,16 @@ namespace SphFluid
             gravity = Exact(constants.Gravity),
             domainSize = Exact(constants.DomainSize),
             position = Exact(constants.Position),
-            rotation = new[] { Exact(constants.Rotation.x), Exact(constants.Rotation.y), Exact(constants.Rotation.z), Exact(constants.Rotation.w) },
-            openFaces = Enum.GetValues(typeof(FluidFaces)).Cast<FluidFaces>().Where(f => IsOne(f) && (constants.Boundaries.Open & f) != 0).Select(f => $"{f}").ToList(),
-            periodicAxes = new[] { FluidAxes.X, FluidAxes.Y, FluidAxes.Z }.Where(a => (constants.Boundaries.Periodic & a) != 0).Select(a => $"{a}").ToList(),
+            rotation = new[] { Exact(constants.Rotation.x), Exact(constants.Rotation.y), Exact(constants.Rotation.z),
+                Exact(constants.Rotation.w) },
+            openFaces = Enum.GetValues(typeof(FluidFaces)).Cast<FluidFaces>().Where(f => IsOne(f) && (constants.Boundaries.Open & f) != 0)
+                .Select(f => $"{f}").ToList(),
+            periodicAxes = new[] { FluidAxes.X, FluidAxes.Y, FluidAxes.Z }.Where(a => (constants.Boundaries.Periodic & a) != 0)
+                .Select(a => $"{a}").ToList(),
             liquidParticles = Liquid.Length,
             wallParticles = Walls.Length,
-            bodies = Bodies.Select(b => new ExportManifest.Body { name = b.Name, particles = b.Particles.Length, poses = b.Path.Count }).ToList(),
+            bodies = Bodies.Select(b => new ExportManifest.Body { name = b.Name, particles = b.Particles.Length, poses = b.Path.Count })
+                .ToList(),
             readings = Instruments.Select(i => new ExportManifest.Reading
             {
                 name = i.Name, property = i.Property, place = Exact(i.Place), up = Exact(i.Up), length = Exact(i.Length),
@@ -92,11 +96,12 @@ namespace SphFluid
                 .Select(m => new ExportManifest.Note { name = m.Source, text = m.Text, cure = m.Cure }).ToList(),
         };
 
-        static bool IsOne(FluidFaces face) => face != FluidFaces.None && (face & (face - 1)) == 0;
+        private static bool IsOne(FluidFaces face) => face != FluidFaces.None && (face & (face - 1)) == 0;
 
-        static double[] Exact(Vector3 v) => new[] { Exact(v.x), Exact(v.y), Exact(v.z) };
+        private static double[] Exact(Vector3 v) => new[] { Exact(v.x), Exact(v.y), Exact(v.z) };
 
         // A float as one writes it: 0.025, not the double next to it.
-        static double Exact(float value) => double.Parse(value.ToString("R", CultureInfo.InvariantCulture), CultureInfo.InvariantCulture);
+        private static double Exact(float value) =>
+            double.Parse(value.ToString("R", CultureInfo.InvariantCulture), CultureInfo.InvariantCulture);
     }
 }

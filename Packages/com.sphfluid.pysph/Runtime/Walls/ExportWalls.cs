@@ -20,8 +20,11 @@ namespace SphFluid
             {
                 taken ??= Points(walls.Count, i => walls[i].Position, constants.Spacing);
                 if (!solid.Mesh.IsClosed) liquid ??= Points(start.Particles.Length, i => start.Particles[i].Position, constants.Spacing);
-                foreach (Vector3 place in SurfaceSampler.Sample(solid.Mesh, constants.Spacing, layers, Reach(constants, layers), taken, liquid))
+                foreach (Vector3 place in SurfaceSampler.Sample(solid.Mesh, constants.Spacing, layers, Reach(constants, layers),
+                    taken, liquid))
+                {
                     walls.Add(new WallParticle { Position = place });
+                }
             }
             return walls.ToArray();
         }
@@ -42,7 +45,7 @@ namespace SphFluid
         }
 
         // The domain; where a face is open, as far beyond it as walls are thick.
-        static Bounds Reach(in ExportConstants constants, int layers)
+        private static Bounds Reach(in ExportConstants constants, int layers)
         {
             Vector3 min = -0.5f * constants.DomainSize, max = 0.5f * constants.DomainSize;
             for (int axis = 0; axis < 3; axis++)
@@ -55,7 +58,7 @@ namespace SphFluid
             return reach;
         }
 
-        static SpacedPoints Points(int count, Func<int, Vector3> place, float spacing)
+        private static SpacedPoints Points(int count, Func<int, Vector3> place, float spacing)
         {
             var points = new SpacedPoints(spacing);
             for (int i = 0; i < count; i++) points.Add(place(i));

@@ -4,22 +4,24 @@ using UnityEngine;
 
 namespace SphFluid.Samples
 {
-    /// <summary>Exports the liquids of the scene as cases of PySPH, with the motion that colliders have during the first moments of play.</summary>
+    /// <summary>
+    /// Exports the liquids of the scene as cases of PySPH, with the motion that colliders have during the first moments of play.
+    /// </summary>
     public sealed class ExportOnPlay : MonoBehaviour
     {
-        [SerializeField, Min(0.1f), Tooltip("Time that PySPH is to compute, in seconds.")] float seconds = 0.5f;
+        [SerializeField, Min(0.1f), Tooltip("Time that PySPH is to compute, in seconds.")] private float seconds = 0.5f;
 
-        FluidExportRecorder recorder;
+        private FluidExportRecorder recorder;
 
-        void Start()
+        private void Start()
         {
             var options = new FluidExportOptions { Seconds = seconds, FrameRate = 30.0 };
             recorder = FluidExportRecorder.Begin(new List<FluidSimulation>(FluidSimulation.Active), options, Write);
         }
 
-        void OnDestroy() => recorder?.Dispose();
+        private void OnDestroy() => recorder?.Dispose();
 
-        static void Write(IReadOnlyList<FluidExport> exports)
+        private static void Write(IReadOnlyList<FluidExport> exports)
         {
             for (int i = 0; i < exports.Count; i++)
             {
@@ -27,7 +29,9 @@ namespace SphFluid.Samples
                 if (!exports[i].HasLiquid) continue;
                 string folder = Path.Combine(Application.temporaryCachePath, "Export to PySPH", $"{i}");
                 exports[i].Write(folder);
-                Debug.Log($"{exports[i].ParticleCount} particles of liquid and {exports[i].WallParticleCount} of walls are exported. Run them: bash '{folder}/run.sh'");
+                Debug.Log(
+                    $"{exports[i].ParticleCount} particles of liquid and {exports[i].WallParticleCount} of walls are exported. Run them: " +
+                    $"bash '{folder}/run.sh'");
             }
         }
     }

@@ -7,9 +7,10 @@ namespace SphFluid.Tests
     /// <summary>The motion of colliders as poses.</summary>
     public sealed class BodyPathTests
     {
-        static Matrix4x4 At(Vector3 position, Quaternion rotation, float scale = 1f) => Matrix4x4.TRS(position, rotation, scale * new Vector3(2f, 3f, 4f));
+        private static Matrix4x4 At(Vector3 position, Quaternion rotation, float scale = 1f) =>
+            Matrix4x4.TRS(position, rotation, scale * new Vector3(2f, 3f, 4f));
 
-        static Vector3 Placed(in BodyPose pose, Vector3 fromPivot) => pose.Position + pose.Rotation * fromPivot;
+        private static Vector3 Placed(in BodyPose pose, Vector3 fromPivot) => pose.Position + pose.Rotation * fromPivot;
 
         [Test]
         public void ABodyThatStaysDoesNotMove()
@@ -26,7 +27,8 @@ namespace SphFluid.Tests
         public void APointOfTheBodyGoesWhereItsColliderTakesIt()
         {
             Quaternion turned = Quaternion.Euler(10f, 20f, 30f);
-            Matrix4x4 start = At(new Vector3(1f, 2f, 3f), turned), end = At(new Vector3(1.5f, 1f, 3.25f), Quaternion.Euler(0f, 0f, 70f) * turned);
+            Matrix4x4 start = At(new Vector3(1f, 2f, 3f), turned),
+                end = At(new Vector3(1.5f, 1f, 3.25f), Quaternion.Euler(0f, 0f, 70f) * turned);
             var path = new BodyPath(start);
             Assert.That(path.TryAdd(0.5, end), Is.True);
             var corner = new Vector3(0.5f, -0.5f, 0.5f);
@@ -53,7 +55,10 @@ namespace SphFluid.Tests
             for (int i = 1; i <= 24; i++) path.TryAdd(i, At(Vector3.zero, Quaternion.Euler(0f, 30f * i, 0f)));
 
             for (int i = 1; i < path.Poses.Count; i++)
-                Assert.That(Quaternion.Dot(path.Poses[i - 1].Rotation, path.Poses[i].Rotation), Is.EqualTo(Mathf.Cos(15f * Mathf.Deg2Rad)).Within(1e-4f), $"pose {i}");
+            {
+                Assert.That(Quaternion.Dot(path.Poses[i - 1].Rotation, path.Poses[i].Rotation),
+                    Is.EqualTo(Mathf.Cos(15f * Mathf.Deg2Rad)).Within(1e-4f), $"pose {i}");
+            }
         }
 
         [Test]

@@ -10,7 +10,7 @@ namespace SphFluid.Tests
     /// <summary>What an export may write to, and the hashes of what it wrote.</summary>
     public sealed class ExportFolderTests
     {
-        string path;
+        private string path;
 
         [SetUp]
         public void SetUp() => path = TestFolder.Fresh();
@@ -18,9 +18,9 @@ namespace SphFluid.Tests
         [TearDown]
         public void TearDown() => TestFolder.Delete(path);
 
-        string[] Names() => Directory.GetFiles(path).Select(Path.GetFileName).OrderBy(n => n, StringComparer.Ordinal).ToArray();
+        private string[] Names() => Directory.GetFiles(path).Select(Path.GetFileName).OrderBy(n => n, StringComparer.Ordinal).ToArray();
 
-        void Export(params string[] names)
+        private void Export(params string[] names)
         {
             ExportFolder folder = ExportFolder.Open(path);
             foreach (string name in names) folder.WriteText(name, "abc");

@@ -11,7 +11,7 @@ namespace SphFluid.Tests
     public sealed class ExportNamesTests
     {
         // Stands in for NumPy and PySPH with an object that can be asked for anything.
-        const string Check = @"
+        private const string Check = @"
 import ast, csv, importlib.util, os, sys, types
 
 class Anything(types.ModuleType):
@@ -60,10 +60,10 @@ print(case.dx, case.rho0, case.nu, case.c0, case.gravity, case.seconds, case.fra
 print(len(names), 'names')
 ";
 
-        static readonly string[] Scripts = { "case.py", "to_sequence.py", "readings.py", "run.sh", "job.sbatch" };
-        static readonly string[] Properties = { "p", "rho", "u", "height" };
+        private static readonly string[] Scripts = { "case.py", "to_sequence.py", "readings.py", "run.sh", "job.sbatch" };
+        private static readonly string[] Properties = { "p", "rho", "u", "height" };
 
-        string path;
+        private string path;
 
         [SetUp]
         public void SetUp() => path = TestFolder.Fresh();
@@ -71,20 +71,24 @@ print(len(names), 'names')
         [TearDown]
         public void TearDown() => TestFolder.Delete(path);
 
-        static PysphCase Case(string[] names) =>
+        private static PysphCase Case(string[] names) =>
             new PysphCase(names[0], new ExportConstants
             {
-                DomainSize = new Vector3(1.8f, 1.2f, 0.8f), Spacing = 0.025f, Density = 998f, Viscosity = 1e-6f, SoundSpeed = 21.5f, Gravity = new Vector3(0f, -9.81f, 0f),
+                DomainSize = new Vector3(1.8f, 1.2f, 0.8f), Spacing = 0.025f, Density = 998f, Viscosity = 1e-6f, SoundSpeed = 21.5f,
+                Gravity = new Vector3(0f, -9.81f, 0f),
                 Boundaries = new FluidBoundaries { Periodic = FluidAxes.Z },
             }, new FluidExportOptions { Scene = names[1], Commit = names[2], Seconds = 0.5, FrameRate = 60.0, Ranks = 7 })
             {
                 Walls = new WallParticle[2],
                 Bodies = new[] { new ExportBody(names[3], new WallParticle[1], new[] { new BodyPose { Rotation = Quaternion.identity } }) },
-                Instruments = names.Select((name, i) => new ExportInstrument { Name = name, Property = Properties[i % Properties.Length], Up = Vector3.up, Length = 1f }).ToArray(),
+                Instruments = names
+                    .Select((name, i) =>
+                        new ExportInstrument { Name = name, Property = Properties[i % Properties.Length], Up = Vector3.up, Length = 1f })
+                        .ToArray(),
                 Messages = new[] { new FluidMessage(FluidSeverity.Warning, FluidIssue.NotExported, null, names[2], names[3]) },
             };
 
-        string[] Texts() => Scripts.Select(s => File.ReadAllText(Path.Combine(path, s))).ToArray();
+        private string[] Texts() => Scripts.Select(s => File.ReadAllText(Path.Combine(path, s))).ToArray();
 
         [Test]
         public void ScriptsAreTheSameWhateverThingsAreCalled()
@@ -112,12 +116,15 @@ print(len(names), 'names')
         {
             string[] names = HostileNames.Make(10_000, 2).ToArray();
             Case(names).Write(path);
-            File.WriteAllLines(Path.Combine(path, "names.txt"), names.Select(n => BitConverter.ToString(Encoding.UTF8.GetBytes(HostileNames.InUtf8(n))).Replace("-", "")));
+            File.WriteAllLines(Path.Combine(path, "names.txt"),
+                names.Select(n => BitConverter.ToString(Encoding.UTF8.GetBytes(HostileNames.InUtf8(n))).Replace("-", "")));
             File.WriteAllText(Path.Combine(path, "check.py"), Check);
 
             string[] said = Programs.Run("python3", Path.Combine(path, "check.py")).Split('\n');
 
-            Assert.That(said[1].Trim(), Is.EqualTo("0.025 998.0 1e-06 21.5 [0.0, -9.81, 0.0] 0.5 60.0 [1.8, 1.2, 0.8] [False, False, True] ['walls', 'body0'] WCSPH"));
+            Assert.That(said[1].Trim(),
+                Is.EqualTo(
+                    "0.025 998.0 1e-06 21.5 [0.0, -9.81, 0.0] 0.5 60.0 [1.8, 1.2, 0.8] [False, False, True] ['walls', 'body0'] WCSPH"));
             Assert.That(said[2].Trim(), Is.EqualTo("10000 names"));
             Assert.That(Directory.GetFiles(path, "PWNED"), Is.Empty);
         }
@@ -139,7 +146,8 @@ print(len(names), 'names')
                     foreach (string folder in last)
                     {
                         Assert.That(Encoding.UTF8.GetByteCount(folder), Is.InRange(1, 255));
-                        Assert.That(folder, Does.Match(@"^[\p{L}\p{M}\p{Nd}-]+$").And.Not.Match("(?i)^(con|prn|aux|nul|com[0-9]|lpt[0-9])$"));
+                        Assert.That(folder,
+                            Does.Match(@"^[\p{L}\p{M}\p{Nd}-]+$").And.Not.Match("(?i)^(con|prn|aux|nul|com[0-9]|lpt[0-9])$"));
                     }
                 }
             }

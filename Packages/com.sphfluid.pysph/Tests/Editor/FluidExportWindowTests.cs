@@ -10,8 +10,8 @@ namespace SphFluid.Tests
     /// <summary>The window's export outside play mode: the liquids of the open scenes, which start nothing.</summary>
     public sealed class FluidExportWindowTests
     {
-        string folder;
-        FluidExportWindow window;
+        private string folder;
+        private FluidExportWindow window;
 
         [SetUp]
         public void SetUp()

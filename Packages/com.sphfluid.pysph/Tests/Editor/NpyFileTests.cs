@@ -9,15 +9,19 @@ namespace SphFluid.Tests
     /// <summary>NPY as numpy.lib.format describes version 1.0, byte by byte.</summary>
     public sealed class NpyFileTests
     {
-        static byte[] Bytes(int rows)
+        private static byte[] Bytes(int rows)
         {
             var stream = new MemoryStream();
             NpyFile.Write(stream, LiquidParticle.Columns, Enumerable.Range(0, rows)
-                .Select(i => new LiquidParticle { Position = new Vector3(1f, 2f, 3f), Velocity = new Vector3(4f, 5f, 6f + i), Id = uint.MaxValue - (uint)i }).ToArray());
+                .Select(i => new LiquidParticle
+                {
+                    Position = new Vector3(1f, 2f, 3f), Velocity = new Vector3(4f, 5f, 6f + i),
+                    Id = uint.MaxValue - (uint)i
+                }).ToArray());
             return stream.ToArray();
         }
 
-        static int HeaderLength(byte[] file) => 10 + file[8] + 256 * file[9];
+        private static int HeaderLength(byte[] file) => 10 + file[8] + 256 * file[9];
 
         [Test]
         public void TheHeaderNamesTypeOrderAndShape()
@@ -27,7 +31,8 @@ namespace SphFluid.Tests
             Assert.That(file.Take(8), Is.EqualTo(new byte[] { 0x93, 0x4E, 0x55, 0x4D, 0x50, 0x59, 1, 0 }));
             string header = Encoding.ASCII.GetString(file, 10, HeaderLength(file) - 10);
             Assert.That(header.TrimEnd(' ', '\n'), Is.EqualTo(
-                "{'descr': [('x', '<f4'), ('y', '<f4'), ('z', '<f4'), ('u', '<f4'), ('v', '<f4'), ('w', '<f4'), ('id', '<u4')], 'fortran_order': False, 'shape': (1,), }"));
+                "{'descr': [('x', '<f4'), ('y', '<f4'), ('z', '<f4'), ('u', '<f4'), ('v', '<f4'), ('w', '<f4'), ('id', '<u4')], " +
+                "'fortran_order': False, 'shape': (1,), }"));
             Assert.That(header, Does.EndWith("\n"));
         }
 

@@ -12,9 +12,9 @@ namespace SphFluid.Tests
     /// <summary>Liquids of a scene as cases of PySPH: what is in them, and that nothing is left out in silence.</summary>
     public sealed class FluidExportTests
     {
-        SimulationRig rig;
-        FluidSimulation simulation;
-        string folder;
+        private SimulationRig rig;
+        private FluidSimulation simulation;
+        private string folder;
 
         [SetUp]
         public void SetUp()
@@ -33,37 +33,40 @@ namespace SphFluid.Tests
             TestFolder.Delete(folder);
         }
 
-        static FluidExportOptions Options(double seconds = 0.125) => new FluidExportOptions { Seconds = seconds, FrameRate = 64.0 };
+        private static FluidExportOptions Options(double seconds = 0.125) => new FluidExportOptions { Seconds = seconds, FrameRate = 64.0 };
 
-        T Add<T>(string name, Vector3 place = default) where T : Component
+        private T Add<T>(string name, Vector3 place = default) where T : Component
         {
             GameObject holder = rig.NewObject(name);
             holder.transform.position = place;
             return holder.AddComponent<T>();
         }
 
-        BoxCollider AddBox(string name, Vector3 place = default)
+        private BoxCollider AddBox(string name, Vector3 place = default)
         {
             BoxCollider box = Add<BoxCollider>(name, place);
             box.size = new Vector3(0.05f, 0.2f, 0.2f);
             return box;
         }
 
-        ExportManifest Manifest() => JsonUtility.FromJson<ExportManifest>(File.ReadAllText(Path.Combine(folder, "manifest.json")));
+        private ExportManifest Manifest() => JsonUtility.FromJson<ExportManifest>(File.ReadAllText(Path.Combine(folder, "manifest.json")));
 
         // Rows of a table of numbers, each as its bytes.
-        byte[][] Rows(string name, int size)
+        private byte[][] Rows(string name, int size)
         {
             byte[] file = File.ReadAllBytes(Path.Combine(folder, name));
             int first = 10 + file[8] + 256 * file[9];
-            return Enumerable.Range(0, (file.Length - first) / size).Select(i => file.Skip(first + i * size).Take(size).ToArray()).ToArray();
+            return Enumerable.Range(0, (file.Length - first) / size)
+                .Select(i => file.Skip(first + i * size).Take(size).ToArray()).ToArray();
         }
 
-        static Vector3 Vector(byte[] row, int at) => new Vector3(BitConverter.ToSingle(row, at), BitConverter.ToSingle(row, at + 4), BitConverter.ToSingle(row, at + 8));
+        private static Vector3 Vector(byte[] row, int at) =>
+            new Vector3(BitConverter.ToSingle(row, at), BitConverter.ToSingle(row, at + 4), BitConverter.ToSingle(row, at + 8));
 
-        IEnumerable<FluidMessage> LeftOut()
+        private IEnumerable<FluidMessage> LeftOut()
         {
-            using (FluidExport export = FluidExport.Begin(simulation, Options())) return export.Messages.Where(m => m.Issue == FluidIssue.NotExported).ToArray();
+            using (FluidExport export =
+                FluidExport.Begin(simulation, Options())) return export.Messages.Where(m => m.Issue == FluidIssue.NotExported).ToArray();
         }
 
         [Test]
@@ -92,7 +95,8 @@ namespace SphFluid.Tests
 
             FluidParticle[] particles = SimulationRig.Read(simulation);
             Assert.That(particles.Max(p => p.VelT0.magnitude), Is.Positive, "it falls");
-            Assert.That(Rows("liquid.npy", 28).Select(r => (Vector(r, 0), Vector(r, 12), BitConverter.ToUInt32(r, 24))), Is.EqualTo(particles.Select(p => (p.Position, p.VelT0, p.Id))));
+            Assert.That(Rows("liquid.npy", 28).Select(r => (Vector(r, 0), Vector(r, 12), BitConverter.ToUInt32(r, 24))),
+                Is.EqualTo(particles.Select(p => (p.Position, p.VelT0, p.Id))));
         }
 
         [Test]
@@ -115,7 +119,8 @@ namespace SphFluid.Tests
             using (FluidExport export = FluidExport.Begin(simulation, Options()))
             {
                 Assert.That((export.HasLiquid, export.ParticleCount), Is.EqualTo((true, 64)));
-                Assert.That(export.Messages.Any(m => m.Issue == FluidIssue.StartRelaxation && m.Text.Contains("exported as filled")), Is.EqualTo(isToldOf));
+                Assert.That(export.Messages.Any(m => m.Issue == FluidIssue.StartRelaxation && m.Text.Contains("exported as filled")),
+                    Is.EqualTo(isToldOf));
                 Assert.That(export.Messages.Where(m => m.Severity == FluidSeverity.Error), Is.Empty);
             }
         }
@@ -138,9 +143,11 @@ namespace SphFluid.Tests
         [TestCase(1e6, 1e6, 2)]
         [TestCase(1.0, 30.0, 0)]
         public void OptionsOutOfRangeAreRefused(double seconds, double frameRate, int ranks) =>
-            Assert.That(() => FluidExport.Begin(simulation, new FluidExportOptions { Seconds = seconds, FrameRate = frameRate, Ranks = ranks }), Throws.ArgumentException);
+            Assert.That(() =>
+                FluidExport.Begin(simulation, new FluidExportOptions { Seconds = seconds, FrameRate = frameRate, Ranks = ranks }),
+                Throws.ArgumentException);
 
-        static readonly (string name, Action<FluidExportTests> add, string words)[] Unsupported =
+        private static readonly (string name, Action<FluidExportTests> add, string words)[] Unsupported =
         {
             ("Nozzle", t => t.Add<FluidEmitter>("Nozzle"), "The emitter is not exported"),
             ("Hole", t => t.Add<FluidDrain>("Hole"), "The drain is not exported"),
@@ -148,14 +155,16 @@ namespace SphFluid.Tests
             ("Flow Meter", t => t.Add<FluidFlux>("Flow Meter"), "The instrument is not exported"),
             ("Switch", t => t.Add<FluidSensor>("Switch"), "The sensor is not exported"),
             ("Tank", t => t.simulation.BodyForce = new FluidBodyForce { RateSquared = Vector3.one }, "The body force is not exported"),
-            ("Tank", t => t.simulation.Boundaries = new FluidBoundaries { Friction = 1f, Open = FluidFaces.HighX }, "Open faces (HighX) remove nothing"),
+            ("Tank", t => t.simulation.Boundaries = new FluidBoundaries { Friction = 1f, Open = FluidFaces.HighX },
+                "Open faces (HighX) remove nothing"),
             ("Tank", t => t.simulation.Boundaries = new FluidBoundaries { Friction = 1f, Periodic = FluidAxes.Z }, "The periodic axes (Z)"),
             ("Crate", t => t.AddBox("Crate", new Vector3(0.15f, 0f, 0f)).gameObject.AddComponent<Rigidbody>(), "is moved by the liquid"),
-            ("Test Water", t => (t.rig.Profile.SurfaceTension, t.rig.Profile.TensionAtAnySpacing) = (0.07f, true), "Surface tension is not exported"),
+            ("Test Water", t => (t.rig.Profile.SurfaceTension, t.rig.Profile.TensionAtAnySpacing) = (0.07f, true),
+                "Surface tension is not exported"),
             ("Test Water", t => t.rig.Profile.KinematicViscosity = 1f, "Implicit viscosity is not exported"),
         };
 
-        static IEnumerable<TestCaseData> UnsupportedParts() =>
+        private static IEnumerable<TestCaseData> UnsupportedParts() =>
             Unsupported.Select((part, i) => new TestCaseData(i).SetName($"{{m}}({part.name}: {part.words})"));
 
         [TestCaseSource(nameof(UnsupportedParts))]
@@ -223,16 +232,20 @@ namespace SphFluid.Tests
             Assert.That(BitConverter.ToSingle(rows[8], 28), Is.EqualTo(Mathf.Sin(40f * Mathf.Deg2Rad)).Within(1e-4f), "qz of 80 degrees");
             Vector3[] particles = Rows("body-000.npy", 24).Select(r => Vector(r, 0)).ToArray();
             Assert.That(particles.Length, Is.EqualTo(body.particles).And.Positive);
-            Assert.That(particles.All(p => Mathf.Abs(p.x) <= 0.0251f && Mathf.Abs(p.y) <= 0.1001f && Mathf.Abs(p.z) <= 0.1001f), Is.True, "from the pivot, at the start's turn");
+            Assert.That(particles.All(p => Mathf.Abs(p.x) <= 0.0251f && Mathf.Abs(p.y) <= 0.1001f && Mathf.Abs(p.z) <= 0.1001f), Is.True,
+                "from the pivot, at the start's turn");
             Vector3[] walls = Rows("walls.npy", 24).Select(r => Vector(r, 0)).ToArray();
-            Assert.That(walls.Any(p => Mathf.Abs(p.x - 0.15f) <= 0.0251f && Mathf.Abs(p.y) < 0.1f && Mathf.Abs(p.z) < 0.1f), Is.True, "the post is a wall");
-            Assert.That(walls.Any(p => Mathf.Abs(p.x + 0.15f) <= 0.0251f && Mathf.Abs(p.y) < 0.1f && Mathf.Abs(p.z) < 0.1f), Is.False, "the paddle is none");
+            Assert.That(walls.Any(p => Mathf.Abs(p.x - 0.15f) <= 0.0251f && Mathf.Abs(p.y) < 0.1f && Mathf.Abs(p.z) < 0.1f), Is.True,
+                "the post is a wall");
+            Assert.That(walls.Any(p => Mathf.Abs(p.x + 0.15f) <= 0.0251f && Mathf.Abs(p.y) < 0.1f && Mathf.Abs(p.z) < 0.1f), Is.False,
+                "the paddle is none");
         }
 
         [UnityTest]
         public IEnumerator WhatPysphCannotFollowIsNamedOnceWhileItHappens()
         {
-            Transform growing = AddBox("Growing", new Vector3(-0.15f, 0f, 0f)).transform, leaving = AddBox("Leaving", new Vector3(0.15f, 0f, 0f)).transform;
+            Transform growing = AddBox("Growing", new Vector3(-0.15f, 0f, 0f)).transform,
+                leaving = AddBox("Leaving", new Vector3(0.15f, 0f, 0f)).transform;
             BoxCollider late = null;
             using (FluidExport export = FluidExport.Begin(simulation, Options()))
             {
@@ -247,7 +260,8 @@ namespace SphFluid.Tests
                 }
                 foreach ((string name, string words) in new[]
                 {
-                    ("Growing", "changes its size or shape"), ("Leaving", "leaves the domain or is switched off"), ("Late", "comes into the domain after"), ("Tank", "The domain itself moves"),
+                    ("Growing", "changes its size or shape"), ("Leaving", "leaves the domain or is switched off"),
+                    ("Late", "comes into the domain after"), ("Tank", "The domain itself moves"),
                 })
                 {
                     Assert.That(export.Messages.Count(m => m.Source == name && m.Text.Contains(words)), Is.EqualTo(1), name);

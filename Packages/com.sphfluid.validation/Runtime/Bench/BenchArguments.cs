@@ -25,24 +25,31 @@ namespace SphFluid.Validation
         /// <summary>Every table but that of playback, which has no GPU times.</summary>
         public const string AllTables = "all";
 
-        const int MaximumSamples = 1000;
-        const int MinimumParticles = 64;
+        private const int MaximumSamples = 1000;
+        private const int MinimumParticles = 64;
 
-        static readonly string[] tables = { ThesisTable, SolverTable, SurfaceTable, AllTables, PlaybackTable };
+        private static readonly string[] tables = { ThesisTable, SolverTable, SurfaceTable, AllTables, PlaybackTable };
 
         internal BenchArguments() : base("bench", "Build/bench")
         {
-            Options.Add("--table", "NAME", "what is measured; all is the first three", ThesisTable, tables, flag => Table = flag.OneOf(tables));
-            Options.Add("--particles", "LIST", "numbers of particles, with commas", "those of the table", flag => Particles = List(flag.Name, flag.Value(), MinimumParticles, FluidProfile.ParticleLimit));
-            Options.Add("--grids", "LIST", "cells a side of marching cubes, with commas, or none", "those of the table", flag => Grids = Cells(flag.Name, flag.Value()));
+            Options.Add("--table", "NAME", "what is measured; all is the first three", ThesisTable, tables,
+                flag => Table = flag.OneOf(tables));
+            Options.Add("--particles", "LIST", "numbers of particles, with commas", "those of the table",
+                flag => Particles = List(flag.Name, flag.Value(), MinimumParticles, FluidProfile.ParticleLimit));
+            Options.Add("--grids", "LIST", "cells a side of marching cubes, with commas, or none", "those of the table",
+                flag => Grids = Cells(flag.Name, flag.Value()));
             Options.Add("--repeat", "R", $"samples of each row, {MinimumSamples} or more", $"{MinimumSamples}",
                 flag => Samples = Number(flag.Name, flag.Value(), MinimumSamples, MaximumSamples));
             AddFolder();
-            Options.Add("--sweep", "with --table thesis: also 4,096 to 1,048,576 particles, as on a real GPU by itself", flag => SetSweep(flag.On()));
+            Options.Add("--sweep", "with --table thesis: also 4,096 to 1,048,576 particles, as on a real GPU by itself",
+                flag => SetSweep(flag.On()));
             Options.Add("--no-sweep", "without them", flag => SetSweep(!flag.On()));
         }
 
-        /// <summary>The table: <see cref="ThesisTable"/>, <see cref="SolverTable"/>, <see cref="SurfaceTable"/> <see cref="AllTables"/> or <see cref="PlaybackTable"/>.</summary>
+        /// <summary>
+        /// The table: <see cref="ThesisTable"/>, <see cref="SolverTable"/>, <see cref="SurfaceTable"/> <see cref="AllTables"/> or
+        /// <see cref="PlaybackTable"/>.
+        /// </summary>
         public string Table { get; private set; } = ThesisTable;
 
         /// <summary>Numbers of particles; null leaves them to the table and the device.</summary>
@@ -54,7 +61,9 @@ namespace SphFluid.Validation
         /// <summary>Samples of each row, <see cref="MinimumSamples"/> or more.</summary>
         public int Samples { get; private set; } = MinimumSamples;
 
-        /// <summary>Whether the sweep over the number of particles is measured too; null leaves it to the device: yes on a graphics card.</summary>
+        /// <summary>
+        /// Whether the sweep over the number of particles is measured too; null leaves it to the device: yes on a graphics card.
+        /// </summary>
         public bool? Sweep { get; private set; }
 
         /// <summary>Reads the command line of the process.</summary>
@@ -70,29 +79,32 @@ namespace SphFluid.Validation
         /// <param name="table">Its name.</param>
         internal bool Includes(string table) => Table == table || Table == AllTables && table != PlaybackTable;
 
-        void SetSweep(bool sweep) =>
+        private void SetSweep(bool sweep) =>
             Sweep = Sweep.HasValue ? throw new CommandLineException("--sweep and --no-sweep exclude each other; give one.") : sweep;
 
-        static int[] Cells(string flag, string value) => value == "none" ? Array.Empty<int>() : List(flag, value, 1, SurfaceGrid.MaximumCells);
+        private static int[] Cells(string flag, string value) => value == "none" ? Array.Empty<int>()
+            : List(flag, value, 1, SurfaceGrid.MaximumCells);
 
-        static int[] List(string flag, string value, int minimum, int maximum)
+        private static int[] List(string flag, string value, int minimum, int maximum)
         {
             string[] words = value.Split(',');
             var numbers = new List<int>();
             foreach (string word in words)
             {
                 int number = Number(flag, word.Trim(), minimum, maximum);
-                if (numbers.Contains(number))
-                    throw new CommandLineException($"{flag} has {number} twice.");
+                if (numbers.Contains(number)) throw new CommandLineException($"{flag} has {number} twice.");
                 numbers.Add(number);
             }
             return numbers.ToArray();
         }
 
-        static int Number(string flag, string value, int minimum, int maximum)
+        private static int Number(string flag, string value, int minimum, int maximum)
         {
-            if (int.TryParse(value, NumberStyles.None, CultureInfo.InvariantCulture, out int number) && number >= minimum && number <= maximum)
+            if (int.TryParse(value, NumberStyles.None, CultureInfo.InvariantCulture, out int number) && number >= minimum &&
+                number <= maximum)
+            {
                 return number;
+            }
             string what = flag == "--repeat" ? "a whole number" : "whole numbers divided by commas, each";
             throw new CommandLineException($"{flag} must be {what} from {minimum} to {maximum}, found '{CommandLineWords.Shown(value)}'.");
         }

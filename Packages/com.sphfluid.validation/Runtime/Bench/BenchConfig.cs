@@ -4,9 +4,10 @@ namespace SphFluid.Validation
     public readonly struct BenchConfig
     {
         // A frame of 30 a second has more of them; a sort serves fewer.
-        const int ManySteps = 24;
+        private const int ManySteps = 24;
 
-        BenchConfig(BenchSolver solver, string name, BenchSurfaceKind kind, int grid = 0, int steps = 1, FluidSurfaceQuality? quality = null,
+        private BenchConfig(BenchSolver solver, string name, BenchSurfaceKind kind, int grid = 0, int steps = 1,
+            FluidSurfaceQuality? quality = null,
             BenchWaterLook? water = null)
         {
             Solver = solver;
@@ -76,27 +77,26 @@ namespace SphFluid.Validation
         {
             get
             {
-                if (Water.HasValue)
-                    return $"Water, {Water.Value.Title}";
-                if (Kind == BenchSurfaceKind.Whitewater)
-                    return "Sparse, whitewater";
-                if (!HasStep)
-                    return Quality.HasValue ? $"Sparse, {Field}" : $"{Drawing} {Grid}";
-                if (HasSurface)
-                    return $"SPH + MC {Grid}";
-                if (Steps > 1)
-                    return Solver.Title + ", at once";
+                if (Water.HasValue) return $"Water, {Water.Value.Title}";
+                if (Kind == BenchSurfaceKind.Whitewater) return "Sparse, whitewater";
+                if (!HasStep) return Quality.HasValue ? $"Sparse, {Field}" : $"{Drawing} {Grid}";
+                if (HasSurface) return $"SPH + MC {Grid}";
+                if (Steps > 1) return Solver.Title + ", at once";
                 return Name == Solver.Name ? Solver.Title : Kind == BenchSurfaceKind.None ? "SPH only" : "SPH + particles";
             }
         }
 
-        string Drawing => Kind == BenchSurfaceKind.Geometry ? "Geometry shader" : Kind == BenchSurfaceKind.DenseCompute ? "Dense compute" : "Sparse";
+        private string Drawing => Kind == BenchSurfaceKind.Geometry ? "Geometry shader" : Kind == BenchSurfaceKind.DenseCompute
+            ? "Dense compute" : "Sparse";
 
         /// <summary>The thesis's step, and the surface by marching cubes in a geometry shader.</summary>
         /// <param name="cells">Cells a side of its grid.</param>
-        public static BenchConfig SphMarchingCubes(int cells) => new BenchConfig(BenchSolver.ThesisOctant, "sph_mc", BenchSurfaceKind.Geometry, cells);
+        public static BenchConfig SphMarchingCubes(int cells) =>
+            new BenchConfig(BenchSolver.ThesisOctant, "sph_mc", BenchSurfaceKind.Geometry, cells);
 
-        /// <summary>Many steps recorded together, as a game's frame does, so that a method may let one neighbour setup serve several.</summary>
+        /// <summary>
+        /// Many steps recorded together, as a game's frame does, so that a method may let one neighbour setup serve several.
+        /// </summary>
         /// <param name="solver">What computes them.</param>
         public static BenchConfig StepsAtOnce(BenchSolver solver) =>
             new BenchConfig(solver, solver.Name + "_at_once", BenchSurfaceKind.None, steps: ManySteps);
@@ -124,12 +124,14 @@ namespace SphFluid.Validation
 
         /// <summary>The sparse surface of the default quality as clear water, without a step.</summary>
         /// <param name="look">How it is drawn.</param>
-        public static BenchConfig WaterSurface(BenchWaterLook look) => Still("water_" + look.Name, BenchSurfaceKind.Water, 0, FluidSurfaceQuality.Default, look);
+        public static BenchConfig WaterSurface(BenchWaterLook look) =>
+            Still("water_" + look.Name, BenchSurfaceKind.Water, 0, FluidSurfaceQuality.Default, look);
 
         /// <summary>The sparse surface of the default quality with as many particles of whitewater as the liquid has.</summary>
         public static BenchConfig Whitewater => Still("sparse_whitewater", BenchSurfaceKind.Whitewater, 0, FluidSurfaceQuality.Default);
 
-        static BenchConfig Still(string name, BenchSurfaceKind kind, int cells, FluidSurfaceQuality? quality = null, BenchWaterLook? water = null) =>
+        private static BenchConfig Still(string name, BenchSurfaceKind kind, int cells, FluidSurfaceQuality? quality = null,
+            BenchWaterLook? water = null) =>
             new BenchConfig(BenchSolver.ThesisOctant, name, kind, cells, 0, quality, water);
     }
 }

@@ -7,10 +7,10 @@ using UnityEngine.Rendering;
 namespace SphFluid.Validation
 {
     /// <summary>
-    /// The picture that drawings of the benchmark go to, with its camera and light, and the particles: recorded into the same command buffer as
-    /// the step, so that nothing else of a game's frame is measured.
+    /// The picture that drawings of the benchmark go to, with its camera and light, and the particles: recorded into the same command
+    /// buffer as the step, so that nothing else of a game's frame is measured.
     /// </summary>
-    sealed class BenchDrawing : IDisposable
+    internal sealed class BenchDrawing : IDisposable
     {
         /// <summary>Width and height of the picture.</summary>
         public static readonly Vector2Int Size = new Vector2Int(1280, 720);
@@ -24,26 +24,26 @@ namespace SphFluid.Validation
         /// <summary>Colour of every drawing.</summary>
         public static readonly Color Colour = new Color(0.06f, 0.4f, 0.66f);
 
-        const float Near = 0.1f;
-        const float Far = 10f;
-        const float SquareSize = 1.2f; // as FluidParticleRenderer's default
+        private const float Near = 0.1f;
+        private const float Far = 10f;
+        private const float SquareSize = 1.2f; // as FluidParticleRenderer's default
 
-        static readonly ProfilerMarker ParticlesMarker = ComputeKernel.CreateMarker(FrameBlocks.DrawParticles);
-        static readonly ProfilerMarker SurfaceMarker = ComputeKernel.CreateMarker(FrameBlocks.DrawSurface);
-        static readonly ProfilerMarker ThicknessMarker = ComputeKernel.CreateMarker(FrameBlocks.DrawThickness);
-        static readonly ProfilerMarker SprayMarker = ComputeKernel.CreateMarker(FrameBlocks.DrawSpray);
-        static readonly int ProjectionParameters = Shader.PropertyToID("_ProjectionParams");
-        static readonly int DepthParameters = Shader.PropertyToID("_ZBufferParams");
-        static readonly Vector3 Eye = new Vector3(1f, 0.7f, -1.6f);
-        static readonly int CameraPosition = Shader.PropertyToID("_WorldSpaceCameraPos");
-        static readonly int LightDirection = Shader.PropertyToID("_WorldSpaceLightPos0");
-        static readonly int LightColour = Shader.PropertyToID("_LightColor0");
+        private static readonly ProfilerMarker ParticlesMarker = ComputeKernel.CreateMarker(FrameBlocks.DrawParticles);
+        private static readonly ProfilerMarker SurfaceMarker = ComputeKernel.CreateMarker(FrameBlocks.DrawSurface);
+        private static readonly ProfilerMarker ThicknessMarker = ComputeKernel.CreateMarker(FrameBlocks.DrawThickness);
+        private static readonly ProfilerMarker SprayMarker = ComputeKernel.CreateMarker(FrameBlocks.DrawSpray);
+        private static readonly int ProjectionParameters = Shader.PropertyToID("_ProjectionParams");
+        private static readonly int DepthParameters = Shader.PropertyToID("_ZBufferParams");
+        private static readonly Vector3 Eye = new Vector3(1f, 0.7f, -1.6f);
+        private static readonly int CameraPosition = Shader.PropertyToID("_WorldSpaceCameraPos");
+        private static readonly int LightDirection = Shader.PropertyToID("_WorldSpaceLightPos0");
+        private static readonly int LightColour = Shader.PropertyToID("_LightColor0");
 
-        readonly Matrix4x4 view;
-        readonly Matrix4x4 projection;
-        readonly MeasuredParticles particles;
-        RenderTexture target;
-        BenchBackdrop backdrop;
+        private readonly Matrix4x4 view;
+        private readonly Matrix4x4 projection;
+        private readonly MeasuredParticles particles;
+        private RenderTexture target;
+        private BenchBackdrop backdrop;
 
         public BenchDrawing(FluidShaderSet shaders, Vector2Int size)
         {
@@ -60,7 +60,8 @@ namespace SphFluid.Validation
         public RenderTexture Target => target;
 
         /// <summary>What clear water is drawn before.</summary>
-        public BenchBackdrop Backdrop => backdrop ?? (backdrop = new BenchBackdrop(view, projection, Near, Far, -0.5f * BenchLiquid.Edge, target.width, target.height));
+        public BenchBackdrop Backdrop => backdrop ??
+            (backdrop = new BenchBackdrop(view, projection, Near, Far, -0.5f * BenchLiquid.Edge, target.width, target.height));
 
         /// <summary>Records how much water lies behind each pixel.</summary>
         public void RecordThickness(CommandBuffer cmd, MeasuredWater water)
@@ -111,21 +112,20 @@ namespace SphFluid.Validation
         {
             particles.Dispose();
             backdrop?.Dispose();
-            if (target == null)
-                return;
+            if (target == null) return;
             target.Release();
             UnityEngine.Object.DestroyImmediate(target);
             target = null;
         }
 
-        void Begin(CommandBuffer cmd)
+        private void Begin(CommandBuffer cmd)
         {
             cmd.SetRenderTarget(target);
             cmd.ClearRenderTarget(true, true, Color.black);
             SetView(cmd);
         }
 
-        void SetView(CommandBuffer cmd)
+        private void SetView(CommandBuffer cmd)
         {
             cmd.SetViewProjectionMatrices(view, projection);
             cmd.SetGlobalVector(ProjectionParameters, new Vector4(-1f, Near, Far, 1f / Far));

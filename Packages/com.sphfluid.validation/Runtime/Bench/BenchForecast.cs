@@ -8,20 +8,21 @@ namespace SphFluid.Validation
     /// How long a benchmark takes. Before anything is measured: by the particle-steps of its rows and the time of one, as a calibration of
     /// the device has it. A row that was measured counts by what it took, and its like by what was found so far against what was expected.
     /// </summary>
-    sealed class BenchForecast
+    internal sealed class BenchForecast
     {
         // Of a sample beside its frames: the saved state put back, a step or a sort before it, waiting for times.
-        const double SampleOverhead = 0.2;
-        const int WarmUps = 1;
+        private const double SampleOverhead = 0.2;
+        private const int WarmUps = 1;
 
-        // Work in particle-steps of the Standard method: of the thesis method's step, of a surface and of whitewater for each particle; for each cell of
-        // a dense grid, and of a sparse one for each square of cells across, as many as its surface is large; of water's picture.
-        // From benchmarks/surface-llvmpipe-2026-11-25.csv, by the calibration of that run.
-        const double ThesisWeight = 2.0, RobustWeight = 2.4, SurfaceWeight = 1.5, WhitewaterWeight = 4.5, CellWeight = 0.9, SquareWeight = 12.0, WaterPicture = 5e4, StepOverhead = 1500.0;
+        // Work in particle-steps of the Standard method: of the thesis method's step, of a surface and of whitewater for each particle; for
+        // each cell of a dense grid, and of a sparse one for each square of cells across, as many as its surface is large; of water's
+        // picture. From benchmarks/surface-llvmpipe-2026-11-25.csv, by the calibration of that run.
+        private const double ThesisWeight = 2.0, RobustWeight = 2.4, SurfaceWeight = 1.5, WhitewaterWeight = 4.5, CellWeight = 0.9,
+            SquareWeight = 12.0, WaterPicture = 5e4, StepOverhead = 1500.0;
 
-        readonly List<Item> items = new List<Item>();
-        readonly double sampleSeconds, secondsPerWork;
-        readonly int samples;
+        private readonly List<Item> items = new List<Item>();
+        private readonly double sampleSeconds, secondsPerWork;
+        private readonly int samples;
 
         /// <param name="secondsPerStep">Time of a step of the calibration [s].</param>
         /// <param name="sampleSeconds">Least time of a sample [s].</param>
@@ -35,7 +36,8 @@ namespace SphFluid.Validation
 
         /// <summary>Adds the fall of a liquid, which comes once.</summary>
         public void AddFall(BenchSolver solver, int particles) =>
-            items.Add(new Item(FallKey(solver, particles), BenchLiquid.SettleSteps * Work(particles, WeightOf(solver)) * secondsPerWork, 1));
+            items
+                .Add(new Item(FallKey(solver, particles), BenchLiquid.SettleSteps * Work(particles, WeightOf(solver)) * secondsPerWork, 1));
 
         /// <summary>Adds a row: a sample to warm up, and those that count.</summary>
         public void AddRow(BenchConfig config, int particles) =>
@@ -60,16 +62,15 @@ namespace SphFluid.Validation
             }
         }
 
-        double SecondsOfSample(BenchConfig config, int particles)
+        private double SecondsOfSample(BenchConfig config, int particles)
         {
             double work = config.Steps * Work(particles, WeightOf(config.Solver));
-            if (config.HasSurface)
-                work += Work(particles, SurfaceWeight) + SurfaceWork(config, particles);
+            if (config.HasSurface) work += Work(particles, SurfaceWeight) + SurfaceWork(config, particles);
             double prepare = Work(particles, WeightOf(config.Solver)) * secondsPerWork + SampleOverhead;
             return prepare + Math.Max(sampleSeconds, work * secondsPerWork);
         }
 
-        static double SurfaceWork(BenchConfig config, int particles)
+        private static double SurfaceWork(BenchConfig config, int particles)
         {
             switch (config.Kind)
             {
@@ -81,25 +82,25 @@ namespace SphFluid.Validation
             }
         }
 
-        static double WeightOf(BenchSolver solver) => solver.IsThesis ? ThesisWeight : solver.Method == FluidMethodKind.Robust ? RobustWeight : 1.0;
+        private static double WeightOf(BenchSolver solver) => solver.IsThesis ? ThesisWeight : solver.Method == FluidMethodKind.Robust
+            ? RobustWeight : 1.0;
 
-        static double Work(double particles, double weight) => weight * particles + StepOverhead;
+        private static double Work(double particles, double weight) => weight * particles + StepOverhead;
 
-        static string FallKey(BenchSolver solver, int particles) => $"fall {solver.Name} {particles}";
+        private static string FallKey(BenchSolver solver, int particles) => $"fall {solver.Name} {particles}";
 
-        static string RowKey(BenchConfig config, int particles) => $"{config.Solver.Name} {config.Name} {config.Title} {particles}";
+        private static string RowKey(BenchConfig config, int particles) => $"{config.Solver.Name} {config.Name} {config.Title} {particles}";
 
-        void Take(string key, double seconds)
+        private void Take(string key, double seconds)
         {
             Item item = items.Find(i => i.Key == key && i.Taken < i.Count) ?? items.Find(i => i.Key == key);
-            if (item == null)
-                return;
+            if (item == null) return;
             // The last ones count more: the first also compiles.
             item.Mean = item.Taken > 1 ? 0.7 * item.Mean + 0.3 * seconds : seconds;
             item.Taken++;
         }
 
-        sealed class Item
+        private sealed class Item
         {
             public Item(string key, double expected, int count) => (Key, Expected, Count) = (key, expected, count);
 

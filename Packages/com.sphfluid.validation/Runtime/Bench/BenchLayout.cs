@@ -12,7 +12,8 @@ namespace SphFluid.Validation
         private protected BenchLayout(string table)
         {
             Format = new TableFormat<BenchRow>(table + ".csv")
-                .Text("table", row => table).Text("device", row => row.Device).Text("config", row => row.Config.Name).Text("method", row => row.Config.Solver.MethodName);
+                .Text("table", row => table).Text("device", row => row.Device).Text("config", row => row.Config.Name)
+                .Text("method", row => row.Config.Solver.MethodName);
         }
 
         /// <summary>Name and columns of the file.</summary>
@@ -25,14 +26,18 @@ namespace SphFluid.Validation
         public abstract string Line(BenchRow row);
 
         /// <summary>Adds what a frame cost.</summary>
-        private protected TableFormat<BenchRow> AddTimes() => Format.Number("dispatches", row => (double)row.Dispatches / System.Math.Max(1, row.Config.Steps))
-            .Number("gpu_ms_median", row => row.Frame.Median).Number("gpu_ms_min", row => row.Frame.Minimum).Number("gpu_ms_max", row => row.Frame.Maximum);
+        private protected TableFormat<BenchRow> AddTimes() =>
+            Format.Number("dispatches", row => (double)row.Dispatches / System.Math.Max(1, row.Config.Steps))
+            .Number("gpu_ms_median", row => row.Frame.Median).Number("gpu_ms_min", row => row.Frame.Minimum)
+            .Number("gpu_ms_max", row => row.Frame.Maximum);
 
         /// <summary>Adds a column a part of a frame.</summary>
         private protected void AddParts(string prefix, IEnumerable<string> parts, Func<BenchRow, int, double> value)
         {
             foreach ((string name, int index) in parts.Select((name, i) => (name, i)))
+            {
                 Format.Number(prefix + name, row => value(row, index));
+            }
         }
 
         /// <summary>Adds how often it was measured.</summary>
@@ -40,6 +45,7 @@ namespace SphFluid.Validation
             Format.Count("samples", row => row.SampleCount).Count("frames", row => row.FrameCount).Text("date", row => row.Date);
 
         /// <summary>A ratio for people; empty where there is none.</summary>
-        private protected static string Short(double value) => double.IsNaN(value) ? "" : value.ToString("F2", CultureInfo.InvariantCulture);
+        private protected static string Short(double value) => double.IsNaN(value) ? ""
+            : value.ToString("F2", CultureInfo.InvariantCulture);
     }
 }

@@ -8,7 +8,7 @@ namespace SphFluid.Validation
     /// The measured liquid: ¼ m³ of water as a block against one wall of a 1 m cube, a dam that has just broken. Its volume does not
     /// depend on the number of particles; the spacing does. Every sample starts from one saved state.
     /// </summary>
-    sealed class BenchLiquid : IDisposable
+    internal sealed class BenchLiquid : IDisposable
     {
         /// <summary>Edge of the domain [m].</summary>
         public const float Edge = 1f;
@@ -16,15 +16,14 @@ namespace SphFluid.Validation
         /// <summary>Steps from the block to the saved state: a tenth of a second of fall, at 16,384 to 65,536 particles.</summary>
         public const int SettleSteps = 100;
 
-        const double Volume = 0.25;
-        readonly BenchMesh mesh;
+        private const double Volume = 0.25;
+        private readonly BenchMesh mesh;
 
         public BenchLiquid(FluidShaderSet shaders, BenchSolver kind, int count)
         {
             FluidParticle[] block = Block(count, kind.HasMesh, out float spacing, out float height);
             Solver = new FluidSolver(kind.Settings(spacing, height), shaders, block);
-            if (!kind.HasMesh)
-                return;
+            if (!kind.HasMesh) return;
             mesh = new BenchMesh(Solver.Settings);
             mesh.GiveTo(Solver);
         }
@@ -56,8 +55,7 @@ namespace SphFluid.Validation
             steps = Math.Min(steps, SettleSteps - SettledSteps);
             Solver.RecordSteps(cmd, steps);
             SettledSteps += steps;
-            if (SettledSteps == SettleSteps)
-                Solver.RecordNeighbourSetup(cmd); // gives out the particles
+            if (SettledSteps == SettleSteps) Solver.RecordNeighbourSetup(cmd); // gives out the particles
             return true;
         }
 
@@ -70,7 +68,9 @@ namespace SphFluid.Validation
             mesh?.Dispose();
         }
 
-        /// <summary>Exactly <paramref name="count"/> particles, layer by layer from the floor; the top layer may be partly filled.</summary>
+        /// <summary>
+        /// Exactly <paramref name="count"/> particles, layer by layer from the floor; the top layer may be partly filled.
+        /// </summary>
         internal static FluidParticle[] Block(int count, bool roundMesh, out float spacing, out float height)
         {
             double dx = Math.Pow(Volume / count, 1.0 / 3.0);
@@ -83,8 +83,7 @@ namespace SphFluid.Validation
             {
                 int x = site % across, z = site / across % deep, y = site / (across * deep);
                 Vector3 position = new Vector3(x + 0.5f, y + 0.5f, z + 0.5f) * spacing - Vector3.one * (0.5f * Edge);
-                if (roundMesh && BenchMesh.Overlaps(position, spacing))
-                    continue;
+                if (roundMesh && BenchMesh.Overlaps(position, spacing)) continue;
                 particles[filled] = new FluidParticle(position, Vector3.zero, (uint)filled);
                 filled++;
             }

@@ -3,15 +3,17 @@ using UnityEngine;
 
 namespace SphFluid.Validation
 {
-    /// <summary>A sphere of triangles that stands on the floor in the measured liquid. Its collider is inactive: it touches no scene.</summary>
-    sealed class BenchMesh : IDisposable
+    /// <summary>
+    /// A sphere of triangles that stands on the floor in the measured liquid. Its collider is inactive: it touches no scene.
+    /// </summary>
+    internal sealed class BenchMesh : IDisposable
     {
-        const float Radius = 0.12f;
+        private const float Radius = 0.12f;
 
-        static readonly Vector3 Centre = new Vector3(-0.25f * BenchLiquid.Edge, Radius - 0.5f * BenchLiquid.Edge, 0f);
+        private static readonly Vector3 Centre = new Vector3(-0.25f * BenchLiquid.Edge, Radius - 0.5f * BenchLiquid.Edge, 0f);
 
-        readonly FluidObstacles obstacles;
-        GameObject holder;
+        private readonly FluidObstacles obstacles;
+        private GameObject holder;
 
         public BenchMesh(in FluidSolverSettings settings)
         {
@@ -36,8 +38,7 @@ namespace SphFluid.Validation
         public void Dispose()
         {
             obstacles.Dispose();
-            if (holder != null)
-                UnityEngine.Object.DestroyImmediate(holder);
+            if (holder != null) UnityEngine.Object.DestroyImmediate(holder);
             holder = null;
         }
     }

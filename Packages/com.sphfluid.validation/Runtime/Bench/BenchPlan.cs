@@ -5,34 +5,36 @@ using System.Linq;
 namespace SphFluid.Validation
 {
     /// <summary>A table to measure: its rows are the configurations at all numbers of particles.</summary>
-    sealed class BenchPlan
+    internal sealed class BenchPlan
     {
-        static readonly int[] ThesisParticles = { 16384, 32768, 65536 };
-        static readonly int[] ThesisGrids = { 32, 64, 128, 256 };
-        static readonly int[] SolverParticles = { 16384, 65536, 262144, 1048576, 4194304 };
-        static readonly int[] SurfaceParticles = { 16384, 65536, 262144, 1048576 };
-        static readonly int[] SurfaceGrids = { 32, 64, 128, 256, 512 };
+        private static readonly int[] ThesisParticles = { 16384, 32768, 65536 };
+        private static readonly int[] ThesisGrids = { 32, 64, 128, 256 };
+        private static readonly int[] SolverParticles = { 16384, 65536, 262144, 1048576, 4194304 };
+        private static readonly int[] SurfaceParticles = { 16384, 65536, 262144, 1048576 };
+        private static readonly int[] SurfaceGrids = { 32, 64, 128, 256, 512 };
 
         // Each step of the look against the one before it, and the spray of the default look.
-        static readonly BenchWaterLook[] WaterLooks =
+        private static readonly BenchWaterLook[] WaterLooks =
         {
-            new BenchWaterLook(FluidWaterQuality.Fast, 0), new BenchWaterLook(FluidWaterQuality.Balanced, 0), new BenchWaterLook(FluidWaterQuality.Fine, 0),
+            new BenchWaterLook(FluidWaterQuality.Fast, 0), new BenchWaterLook(FluidWaterQuality.Balanced, 0),
+            new BenchWaterLook(FluidWaterQuality.Fine, 0),
             new BenchWaterLook(FluidWaterQuality.Fine, new FluidWaterLook().Spray),
         };
 
         // A CPU device takes 1,048,576 on request.
-        const int MostOnCpu = 262144;
+        private const int MostOnCpu = 262144;
 
         // Cells a side of a dense grid at most, the thesis's finest: 512 are 540 MB.
-        const int MostDenseCells = 256;
+        private const int MostDenseCells = 256;
 
         // On a CPU device the geometry shader takes five seconds for 256 cells a side, whatever the liquid: with more particles on request.
-        const int MostCpuGeometryCells = 128;
-        const int MostCpuGeometryParticles = 65536;
+        private const int MostCpuGeometryCells = 128;
+        private const int MostCpuGeometryParticles = 65536;
 
-        Func<BenchConfig, int, bool> isLeftOut = (config, particles) => false;
+        private Func<BenchConfig, int, bool> isLeftOut = (config, particles) => false;
 
-        BenchPlan(string name, IReadOnlyList<BenchConfig> configs, IReadOnlyList<int> particles, IReadOnlyList<BenchBlock> blocks, BenchLayout layout)
+        private BenchPlan(string name, IReadOnlyList<BenchConfig> configs, IReadOnlyList<int> particles, IReadOnlyList<BenchBlock> blocks,
+            BenchLayout layout)
         {
             Name = name;
             Configs = configs;
@@ -62,7 +64,9 @@ namespace SphFluid.Validation
         /// <summary>Whether the device's copy speed is measured too.</summary>
         public bool NeedsCopySpeed { get; private set; }
 
-        /// <summary>The solvers of the configurations; first the one whose liquid settles, so that none of its particles is in a mesh.</summary>
+        /// <summary>
+        /// The solvers of the configurations; first the one whose liquid settles, so that none of its particles is in a mesh.
+        /// </summary>
         public IReadOnlyList<BenchSolver> Solvers => Configs.Select(c => c.Solver).Distinct().OrderByDescending(s => s.HasMesh).ToList();
 
         /// <summary>Tables 3 and 4 of the thesis.</summary>
@@ -73,11 +77,9 @@ namespace SphFluid.Validation
         {
             grids ??= ThesisGrids;
             var configs = new List<BenchConfig> { BenchConfig.SphOnly, BenchConfig.SphParticles };
-            if (missing == null)
-                configs.AddRange(grids.Select(BenchConfig.SphMarchingCubes));
+            if (missing == null) configs.AddRange(grids.Select(BenchConfig.SphMarchingCubes));
             BenchPlan plan = Thesis("thesis", configs, particles ?? ThesisParticles);
-            if (missing != null && grids.Count > 0)
-                plan.LeftOut = missing + " The rows with marching cubes are left out.";
+            if (missing != null && grids.Count > 0) plan.LeftOut = missing + " The rows with marching cubes are left out.";
             return plan;
         }
 
@@ -90,21 +92,27 @@ namespace SphFluid.Validation
         {
             BenchConfig[] configs =
             {
-                BenchConfig.Step(BenchSolver.ThesisCells), BenchConfig.Step(BenchSolver.ThesisFused), BenchConfig.Step(BenchSolver.ThesisOctant),
+                BenchConfig.Step(BenchSolver.ThesisCells), BenchConfig.Step(BenchSolver.ThesisFused),
+                BenchConfig.Step(BenchSolver.ThesisOctant),
                 BenchConfig.Step(BenchSolver.Standard), BenchConfig.StepsAtOnce(BenchSolver.Standard),
                 BenchConfig.Step(BenchSolver.StandardSearch), BenchConfig.Step(BenchSolver.StandardUnordered),
                 BenchConfig.Step(BenchSolver.StandardMesh), BenchConfig.StepsAtOnce(BenchSolver.StandardMesh),
                 BenchConfig.Step(BenchSolver.StandardWide), BenchConfig.StepsAtOnce(BenchSolver.StandardWide),
-                BenchConfig.Step(BenchSolver.Robust), BenchConfig.StepsAtOnce(BenchSolver.Robust), BenchConfig.StepsAtOnce(BenchSolver.RobustWide),
+                BenchConfig.Step(BenchSolver.Robust), BenchConfig.StepsAtOnce(BenchSolver.Robust),
+                BenchConfig.StepsAtOnce(BenchSolver.RobustWide),
             };
-            return new BenchPlan("solver", configs, particles ?? ForDevice(SolverParticles), FrameBlocks.Step, new SolverLayout(FrameBlocks.Step.Select(b => b.Name)))
+            return new BenchPlan("solver", configs, particles ?? ForDevice(SolverParticles), FrameBlocks.Step,
+                new SolverLayout(FrameBlocks.Step.Select(b => b.Name)))
             {
                 SizeBySize = true,
                 NeedsCopySpeed = true,
             };
         }
 
-        /// <summary>Surfaces without steps: the thesis's and a dense compute one up to 256 cells a side, sparse ones at the same and their own cells.</summary>
+        /// <summary>
+        /// Surfaces without steps: the thesis's and a dense compute one up to 256 cells a side, sparse ones at the same and their own
+        /// cells.
+        /// </summary>
         /// <param name="particles">Numbers of particles; null for those that suit the device.</param>
         /// <param name="grids">Cells a side with the thesis's field; null for the table's own.</param>
         /// <param name="missing">What the device misses for the geometry shader, as a sentence; null when nothing.</param>
@@ -114,13 +122,13 @@ namespace SphFluid.Validation
             foreach (int cells in grids ?? SurfaceGrids)
             {
                 bool dense = cells <= MostDenseCells;
-                if (dense && missing == null)
-                    configs.Add(BenchConfig.GeometrySurface(cells));
-                if (dense)
-                    configs.Add(BenchConfig.DenseSurface(cells));
+                if (dense && missing == null) configs.Add(BenchConfig.GeometrySurface(cells));
+                if (dense) configs.Add(BenchConfig.DenseSurface(cells));
                 configs.Add(BenchConfig.SparseSurface(cells));
             }
-            configs.AddRange(new[] { FluidSurfaceQuality.Cheap, FluidSurfaceQuality.Default, FluidSurfaceQuality.High }.Select(BenchConfig.SparseSurface));
+            configs
+                .AddRange(new[] { FluidSurfaceQuality.Cheap, FluidSurfaceQuality.Default,
+                    FluidSurfaceQuality.High }.Select(BenchConfig.SparseSurface));
             configs.AddRange(WaterLooks.Select(BenchConfig.WaterSurface));
             configs.Add(BenchConfig.Whitewater);
             var plan = new BenchPlan("surface", configs, particles ?? ForDevice(SurfaceParticles), FrameBlocks.Surface,
@@ -136,18 +144,21 @@ namespace SphFluid.Validation
         /// <summary>The configurations at a number of particles.</summary>
         public IReadOnlyList<BenchConfig> ConfigsOf(int count) => Configs.Where(c => !isLeftOut(c, count)).ToList();
 
-        static bool IsSlowOnCpu(BenchConfig config) => config.Kind == BenchSurfaceKind.Geometry && config.Grid > MostCpuGeometryCells;
+        private static bool IsSlowOnCpu(BenchConfig config) => config.Kind == BenchSurfaceKind.Geometry &&
+            config.Grid > MostCpuGeometryCells;
 
-        void LeaveOutSlowRows()
+        private void LeaveOutSlowRows()
         {
             isLeftOut = (config, count) => IsSlowOnCpu(config) && count > MostCpuGeometryParticles;
-            LeftOut = $"The geometry shader's rows with more than {MostCpuGeometryCells} cells a side are left out above {MostCpuGeometryParticles} particles: a CPU draws. " +
+            LeftOut =
+                $"The geometry shader's rows with more than {MostCpuGeometryCells} cells a side are left out above " +
+                $"{MostCpuGeometryParticles} particles: a CPU draws. " +
                 "With --particles they are measured.";
         }
 
-        static int[] ForDevice(int[] sizes) => sizes.Where(n => n <= MostOnCpu || !FluidSupport.IsSoftwareDevice).ToArray();
+        private static int[] ForDevice(int[] sizes) => sizes.Where(n => n <= MostOnCpu || !FluidSupport.IsSoftwareDevice).ToArray();
 
-        static BenchPlan Thesis(string name, IReadOnlyList<BenchConfig> configs, IReadOnlyList<int> particles) =>
+        private static BenchPlan Thesis(string name, IReadOnlyList<BenchConfig> configs, IReadOnlyList<int> particles) =>
             new BenchPlan(name, configs, particles, FrameBlocks.Thesis, new ThesisLayout(name, FrameBlocks.Thesis.Select(b => b.Name)));
     }
 }

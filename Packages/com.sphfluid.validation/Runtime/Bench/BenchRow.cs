@@ -6,8 +6,8 @@ namespace SphFluid.Validation
     /// <summary>A row of a table: what was measured, and its samples.</summary>
     public sealed class BenchRow : MeasuredRow
     {
-        readonly List<BenchTimes> samples = new List<BenchTimes>();
-        readonly List<double> setups = new List<double>();
+        private readonly List<BenchTimes> samples = new List<BenchTimes>();
+        private readonly List<double> setups = new List<double>();
 
         /// <summary>A row without samples.</summary>
         /// <param name="config">What a frame does.</param>
@@ -92,7 +92,10 @@ namespace SphFluid.Validation
         /// <param name="index">Number of the block.</param>
         public double Share(int index) => SampleStatistics.Of(samples.Select(s => s.Block(index) / s.Frame).ToList()).Median;
 
-        /// <summary>GPU time of the neighbour setup before the frames of a sample, and no part of them, median of the samples [ms]; not a number where there was none.</summary>
+        /// <summary>
+        /// GPU time of the neighbour setup before the frames of a sample, and no part of them, median of the samples [ms]; not a number
+        /// where there was none.
+        /// </summary>
         public double NeighbourSetup => setups.Count > 0 ? SampleStatistics.Of(setups).Median : double.NaN;
 
         /// <summary>Adds a sample.</summary>

@@ -8,21 +8,21 @@ using UnityEngine.Rendering;
 namespace SphFluid.Validation
 {
     /// <summary>Records frames of the benchmark and measures them. All waiting is by yielding a frame of the engine.</summary>
-    sealed class BenchSampler : IDisposable
+    internal sealed class BenchSampler : IDisposable
     {
         // One submission: bounded so that no driver takes it for a hang.
-        const int MostFramesAtOnce = 128;
-        const double SubmissionMilliseconds = 500.0;
-        const int EngineFramesToWait = 200;
-        const int MostTrials = 16;
+        private const int MostFramesAtOnce = 128;
+        private const double SubmissionMilliseconds = 500.0;
+        private const int EngineFramesToWait = 200;
+        private const int MostTrials = 16;
 
-        static readonly ProfilerMarker frameMarker = ComputeKernel.CreateMarker(FrameBlocks.Frame);
+        private static readonly ProfilerMarker frameMarker = ComputeKernel.CreateMarker(FrameBlocks.Frame);
 
-        readonly FluidShaderSet shaders;
-        readonly Dictionary<BenchConfig, IBenchSurface> surfaces = new Dictionary<BenchConfig, IBenchSurface>();
-        readonly GpuClock clock;
-        readonly CommandBuffer cmd = new CommandBuffer { name = "Fluid Benchmark" };
-        readonly BenchDrawing drawing;
+        private readonly FluidShaderSet shaders;
+        private readonly Dictionary<BenchConfig, IBenchSurface> surfaces = new Dictionary<BenchConfig, IBenchSurface>();
+        private readonly GpuClock clock;
+        private readonly CommandBuffer cmd = new CommandBuffer { name = "Fluid Benchmark" };
+        private readonly BenchDrawing drawing;
 
         public BenchSampler(FluidShaderSet shaders, IReadOnlyList<BenchBlock> blocks, Vector2Int pictureSize)
         {
@@ -53,14 +53,15 @@ namespace SphFluid.Validation
                 cmd.BeginSample(frameMarker);
                 bool more = liquid.Settle(cmd, steps);
                 cmd.EndSample(frameMarker);
-                if (!more)
-                    yield break;
+                if (!more) yield break;
                 yield return Submit(() => liquid.Solver.ReadCountersNow(), 1);
                 steps = (int)Math.Max(1.0, Math.Min(MostFramesAtOnce, SampleMilliseconds * steps / Math.Max(1e-3, Last.Total)));
             }
         }
 
-        /// <summary>Measures frames from the saved state until they took <see cref="SampleMilliseconds"/>; <see cref="Last"/> is then their time.</summary>
+        /// <summary>
+        /// Measures frames from the saved state until they took <see cref="SampleMilliseconds"/>; <see cref="Last"/> is then their time.
+        /// </summary>
         /// <param name="liquid">The liquid.</param>
         /// <param name="config">What a frame does.</param>
         /// <param name="expected">Expected time of a frame [ms]; 0 when it is not known.</param>
@@ -75,16 +76,17 @@ namespace SphFluid.Validation
                 // What only the first frame behind a restored state does is no part of the others': methods with a counting sort take the
                 // particles in, and the sort of a surface serves the next step.
                 if (!CaseMethod.IsThesis(liquid.Solver.Settings))
+                {
                     yield return Prepare(liquid.Solver, () => liquid.Solver.RecordSteps(cmd, 1));
-                if (surface != null)
-                    yield return PrepareSurface(liquid.Solver, surface);
+                }
+                if (surface != null) yield return PrepareSurface(liquid.Solver, surface);
                 double missing = Math.Min(SubmissionMilliseconds, SampleMilliseconds - (sum?.Total ?? 0.0));
                 int steps = Math.Max(1, config.Steps);
                 double frameTime = expected * steps;
-                int frames = frameTime > 0.0 ? (int)Math.Max(1.0, Math.Min(MostFramesAtOnce / steps, Math.Ceiling(1.05 * missing / frameTime))) : 1;
+                int frames = frameTime > 0.0
+                    ? (int)Math.Max(1.0, Math.Min(MostFramesAtOnce / steps, Math.Ceiling(1.05 * missing / frameTime))) : 1;
                 cmd.Clear();
-                for (int i = 0; i < frames; i++)
-                    Record(liquid, config, surface);
+                for (int i = 0; i < frames; i++) Record(liquid, config, surface);
                 yield return Submit(() => liquid.Solver.ReadCountersNow(), frames);
                 expected = Last.Frame / steps;
                 sum = sum?.Plus(Last) ?? Last;
@@ -108,30 +110,32 @@ namespace SphFluid.Validation
 
         public void Dispose()
         {
-            foreach (IBenchSurface surface in surfaces.Values)
-                surface.Dispose();
+            foreach (IBenchSurface surface in surfaces.Values) surface.Dispose();
             clock.Dispose();
             cmd.Dispose();
             drawing.Dispose();
         }
 
         /// <summary>What a configuration's surface consisted of when it was drawn last; all nothing without one.</summary>
-        public BenchSurfaceFacts FactsOf(in BenchConfig config) => surfaces.TryGetValue(config, out IBenchSurface surface) ? surface.Facts : default;
+        public BenchSurfaceFacts FactsOf(in BenchConfig config) => surfaces.TryGetValue(config, out IBenchSurface surface)
+            ? surface.Facts : default;
 
-        IEnumerator PrepareSurface(FluidSolver solver, IBenchSurface surface)
+        private IEnumerator PrepareSurface(FluidSolver solver, IBenchSurface surface)
         {
             yield return Prepare(solver, () => solver.RecordNeighbourSetup(cmd));
             NeighbourSetup = Last.Total;
             for (int trial = 0; !surface.HasCapacity; trial++)
             {
                 if (trial == MostTrials)
+                {
                     throw new FluidDeviceException($"A surface reached no capacity for its mesh in {MostTrials} frames.");
+                }
                 yield return Prepare(solver, () => surface.RecordTrial(cmd, solver));
                 surface.TakeTrial();
             }
         }
 
-        IEnumerator Prepare(FluidSolver solver, Action record)
+        private IEnumerator Prepare(FluidSolver solver, Action record)
         {
             cmd.Clear();
             cmd.BeginSample(frameMarker);
@@ -140,21 +144,19 @@ namespace SphFluid.Validation
             return Submit(() => solver.ReadCountersNow(), 1);
         }
 
-        void Record(BenchLiquid liquid, in BenchConfig config, IBenchSurface surface)
+        private void Record(BenchLiquid liquid, in BenchConfig config, IBenchSurface surface)
         {
             long before = ComputeKernel.DispatchesRecorded;
             cmd.BeginSample(frameMarker);
-            if (config.HasStep)
-                liquid.Solver.RecordSteps(cmd, config.Steps);
-            if (config.Kind == BenchSurfaceKind.Particles)
-                drawing.RecordParticles(cmd, liquid.Solver);
+            if (config.HasStep) liquid.Solver.RecordSteps(cmd, config.Steps);
+            if (config.Kind == BenchSurfaceKind.Particles) drawing.RecordParticles(cmd, liquid.Solver);
             surface?.Record(cmd, liquid.Solver, drawing);
             cmd.EndSample(frameMarker);
             Dispatches = ComputeKernel.DispatchesRecorded - before;
         }
 
         // Waits for the GPU by reading from it: a loop of empty frames would take a CPU that draws one of its cores.
-        IEnumerator Submit(Action read, int frames)
+        private IEnumerator Submit(Action read, int frames)
         {
             clock.Restart();
             Graphics.ExecuteCommandBuffer(cmd);
@@ -163,7 +165,8 @@ namespace SphFluid.Validation
             {
                 if (waited == EngineFramesToWait)
                 {
-                    throw new FluidDeviceException($"{SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType}) gave no GPU times within " +
+                    throw new FluidDeviceException(
+                        $"{SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType}) gave no GPU times within " +
                         $"{EngineFramesToWait} frames. Run the benchmark with Direct3D 11 or 12, outside a frame debugger.");
                 }
                 yield return null;
@@ -171,10 +174,9 @@ namespace SphFluid.Validation
             Last = clock.Times(frames);
         }
 
-        IBenchSurface SurfaceOf(in BenchConfig config, FluidSolver solver)
+        private IBenchSurface SurfaceOf(in BenchConfig config, FluidSolver solver)
         {
-            if (!config.HasSurface)
-                return null;
+            if (!config.HasSurface) return null;
             if (!surfaces.TryGetValue(config, out IBenchSurface surface))
             {
                 surface = Create(config, solver);
@@ -183,7 +185,7 @@ namespace SphFluid.Validation
             return surface;
         }
 
-        IBenchSurface Create(in BenchConfig config, FluidSolver solver)
+        private IBenchSurface Create(in BenchConfig config, FluidSolver solver)
         {
             switch (config.Kind)
             {

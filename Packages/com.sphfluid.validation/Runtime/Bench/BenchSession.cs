@@ -11,32 +11,38 @@ namespace SphFluid.Validation
     /// <summary>A whole benchmark; it needs no scene.</summary>
     public sealed class BenchSession : MeasuringSession
     {
-        const int LeastSweepParticles = 4096;
-        const int MostSweepParticles = 1024 * 1024;
+        private const int LeastSweepParticles = 4096;
+        private const int MostSweepParticles = 1024 * 1024;
 
-        readonly BenchArguments arguments;
-        readonly FluidShaderSet shaders;
-        readonly Stopwatch session = new Stopwatch();
-        readonly List<(BenchPlan Plan, ResultTable<BenchRow> Table)> tables = new List<(BenchPlan, ResultTable<BenchRow>)>();
-        BenchForecast forecast;
+        private readonly BenchArguments arguments;
+        private readonly FluidShaderSet shaders;
+        private readonly Stopwatch session = new Stopwatch();
+        private readonly List<(BenchPlan Plan, ResultTable<BenchRow> Table)> tables = new List<(BenchPlan, ResultTable<BenchRow>)>();
+        private BenchForecast forecast;
 
         /// <summary>Prepares a benchmark; nothing is measured yet.</summary>
         /// <param name="arguments">What to measure.</param>
         /// <param name="shaders">The package's shaders.</param>
         /// <param name="progress">Where it says how far it is.</param>
         /// <exception cref="FluidDeviceException">The device cannot run it, or has no GPU times.</exception>
-        /// <exception cref="CommandLineException">The output folder cannot be written, or holds other files of the tables' names.</exception>
+        /// <exception cref="CommandLineException">The output folder cannot be written, or holds other files of the tables'
+        /// names.</exception>
         public BenchSession(BenchArguments arguments, FluidShaderSet shaders, SessionProgress progress) : base(arguments, progress)
         {
             this.arguments = arguments;
             this.shaders = SessionAssets.Require(shaders, "The benchmark has");
             if (!SystemInfo.supportsGpuRecorder)
             {
-                throw new FluidDeviceException($"{SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType}) has no GPU times in Unity's profiler. " +
+                throw new FluidDeviceException(
+                    $"{SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType}) has no GPU times in Unity's profiler. " +
                     "Run the benchmark with Direct3D 11 or 12.");
             }
             if (Plays && !Application.isPlaying)
-                throw new CommandLineException("--table playback plays a Fluid Simulation, which runs in play mode only. Enter play mode first, or use a built player.");
+            {
+                throw new CommandLineException(
+                    "--table playback plays a Fluid Simulation, which runs in play mode only. Enter play mode first, or use a built " +
+                    "player.");
+            }
             Claim(Plays ? new[] { PlaybackRow.Format.File } : Plans().Select(p => p.Layout.Format.File));
         }
 
@@ -52,12 +58,11 @@ namespace SphFluid.Validation
         internal static IReadOnlyList<int> SweepParticles()
         {
             var counts = new List<int>();
-            for (int count = LeastSweepParticles; count <= MostSweepParticles; count *= 2)
-                counts.Add(count);
+            for (int count = LeastSweepParticles; count <= MostSweepParticles; count *= 2) counts.Add(count);
             return counts;
         }
 
-        bool Plays => arguments.Includes(BenchArguments.PlaybackTable);
+        private bool Plays => arguments.Includes(BenchArguments.PlaybackTable);
 
         private protected override IEnumerator Run()
         {
@@ -71,13 +76,11 @@ namespace SphFluid.Validation
             Forecast(calibration.SecondsPerStep, out int rows);
             Progress.Say($"{SessionProgress.About(forecast.Left)} for {rows} rows, {arguments.Samples} samples of each.");
             session.Restart();
-            foreach (BenchPlan plan in Plans())
-                yield return Measure(plan);
-            foreach ((BenchPlan plan, ResultTable<BenchRow> table) in tables)
-                SayTable(plan.Layout, table);
+            foreach (BenchPlan plan in Plans()) yield return Measure(plan);
+            foreach ((BenchPlan plan, ResultTable<BenchRow> table) in tables) SayTable(plan.Layout, table);
         }
 
-        void Forecast(double secondsPerStep, out int rows)
+        private void Forecast(double secondsPerStep, out int rows)
         {
             forecast = new BenchForecast(secondsPerStep, 1e-3 * SampleMilliseconds, arguments.Samples);
             rows = 0;
@@ -95,29 +98,29 @@ namespace SphFluid.Validation
             }
         }
 
-        IEnumerable<BenchPlan> Plans()
+        private IEnumerable<BenchPlan> Plans()
         {
             string missing = MeasuredGeometrySurface.MissingSupport();
             if (arguments.Includes(BenchArguments.ThesisTable))
             {
                 yield return BenchPlan.Thesis(arguments.Particles, arguments.Grids, missing);
-                if (arguments.Sweep ?? !FluidSupport.IsSoftwareDevice)
-                    yield return BenchPlan.Sweep(SweepParticles());
+                if (arguments.Sweep ?? !FluidSupport.IsSoftwareDevice) yield return BenchPlan.Sweep(SweepParticles());
             }
-            if (arguments.Includes(BenchArguments.SolverTable))
-                yield return BenchPlan.Solver(arguments.Particles);
+            if (arguments.Includes(BenchArguments.SolverTable)) yield return BenchPlan.Solver(arguments.Particles);
             if (arguments.Includes(BenchArguments.SurfaceTable))
+            {
                 yield return BenchPlan.Surface(arguments.Particles, arguments.Grids, missing);
+            }
         }
 
-        IEnumerator Measure(BenchPlan plan)
+        private IEnumerator Measure(BenchPlan plan)
         {
             var table = new ResultTable<BenchRow>(plan.Layout.Format, Folder, SystemInfo.graphicsDeviceName);
             tables.Add((plan, table));
             table.Write();
-            if (plan.LeftOut != null)
-                Progress.Say(plan.LeftOut);
-            IEnumerable<IReadOnlyList<int>> sizes = plan.SizeBySize ? plan.Particles.Select(n => (IReadOnlyList<int>)new[] { n }) : new[] { plan.Particles };
+            if (plan.LeftOut != null) Progress.Say(plan.LeftOut);
+            IEnumerable<IReadOnlyList<int>> sizes = plan.SizeBySize ? plan.Particles.Select(n => (IReadOnlyList<int>)new[] { n })
+                : new[] { plan.Particles };
             foreach (IReadOnlyList<int> particles in sizes)
             {
                 using (var sampler = new BenchSampler(shaders, plan.Blocks, PictureSize) { SampleMilliseconds = SampleMilliseconds })
@@ -126,7 +129,7 @@ namespace SphFluid.Validation
             }
         }
 
-        IEnumerator MeasurePlayback()
+        private IEnumerator MeasurePlayback()
         {
             var table = new ResultTable<PlaybackRow>(PlaybackRow.Format, Folder, SystemInfo.graphicsDeviceName);
             foreach (int particles in arguments.Particles ?? new[] { PlaybackBench.UsualParticles })
@@ -134,16 +137,14 @@ namespace SphFluid.Validation
                 using (var bench = new PlaybackBench(shaders, particles))
                     yield return bench.Run(table, Progress);
             }
-            foreach (PlaybackRow row in table.Rows)
-                Progress.Say(PlaybackRow.Format.Line(row));
+            foreach (PlaybackRow row in table.Rows) Progress.Say(PlaybackRow.Format.Line(row));
         }
 
-        void SayTable(BenchLayout layout, ResultTable<BenchRow> table)
+        private void SayTable(BenchLayout layout, ResultTable<BenchRow> table)
         {
             Progress.Say($"{Path.Combine(Folder, layout.Format.FileName)}, {table.Device}:");
             Progress.Say(layout.Head);
-            foreach (BenchRow row in table.Rows)
-                Progress.Say(layout.Line(row));
+            foreach (BenchRow row in table.Rows) Progress.Say(layout.Line(row));
         }
     }
 }

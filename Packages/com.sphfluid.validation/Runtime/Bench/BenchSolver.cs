@@ -6,19 +6,22 @@ namespace SphFluid.Validation
     public sealed class BenchSolver
     {
         // κ of the thesis's tables and of every comparison: the same k for all.
-        const float ComparedRatio = 2f;
+        private const float ComparedRatio = 2f;
 
         /// <summary>The thesis method with the octant's 8 cells of 2R, as 6.2 has it.</summary>
-        public static readonly BenchSolver ThesisOctant = new BenchSolver("thesis_8", "Thesis, 8 cells", FluidMethodKind.Thesis) { OctantSearch = true };
+        public static readonly BenchSolver ThesisOctant =
+            new BenchSolver("thesis_8", "Thesis, 8 cells", FluidMethodKind.Thesis) { OctantSearch = true };
 
         /// <summary>The thesis method with 27 cells of R.</summary>
         public static readonly BenchSolver ThesisCells = new BenchSolver("thesis_27", "Thesis, 27 cells", FluidMethodKind.Thesis);
 
         /// <summary>The same with its sort fused: <see cref="ThesisSettings.FusedSort"/>.</summary>
-        public static readonly BenchSolver ThesisFused = new BenchSolver("thesis_27_fused", "Thesis, fused sort", FluidMethodKind.Thesis) { FusedSort = true };
+        public static readonly BenchSolver ThesisFused =
+            new BenchSolver("thesis_27_fused", "Thesis, fused sort", FluidMethodKind.Thesis) { FusedSort = true };
 
         /// <summary>The Standard method as it is by default but for κ.</summary>
-        public static readonly BenchSolver Standard = new BenchSolver("standard", "Standard", FluidMethodKind.Standard) { StableOrder = true, NeighbourList = true };
+        public static readonly BenchSolver Standard =
+            new BenchSolver("standard", "Standard", FluidMethodKind.Standard) { StableOrder = true, NeighbourList = true };
 
         /// <summary>The same with particles of a cell in the order of thread timing.</summary>
         public static readonly BenchSolver StandardUnordered =
@@ -30,20 +33,33 @@ namespace SphFluid.Validation
 
         /// <summary>The Standard method with a mesh in the liquid.</summary>
         public static readonly BenchSolver StandardMesh =
-            new BenchSolver("standard_mesh", "Standard, mesh", FluidMethodKind.Standard) { StableOrder = true, NeighbourList = true, HasMesh = true };
+            new BenchSolver("standard_mesh", "Standard, mesh", FluidMethodKind.Standard)
+            {
+                StableOrder = true, NeighbourList = true,
+                HasMesh = true
+            };
 
         /// <summary>The Standard method at κ = 2.25.</summary>
         public static readonly BenchSolver StandardWide =
-            new BenchSolver("standard_2.25", "Standard, κ 2.25", FluidMethodKind.Standard) { StableOrder = true, NeighbourList = true, SupportRatio = 2.25f };
+            new BenchSolver("standard_2.25", "Standard, κ 2.25", FluidMethodKind.Standard)
+            {
+                StableOrder = true, NeighbourList = true,
+                SupportRatio = 2.25f
+            };
 
         /// <summary>The Robust method: a step of two iterations.</summary>
-        public static readonly BenchSolver Robust = new BenchSolver("robust", "Robust", FluidMethodKind.Robust) { StableOrder = true, NeighbourList = true };
+        public static readonly BenchSolver Robust =
+            new BenchSolver("robust", "Robust", FluidMethodKind.Robust) { StableOrder = true, NeighbourList = true };
 
         /// <summary>The Robust method at κ = 2.25.</summary>
         public static readonly BenchSolver RobustWide =
-            new BenchSolver("robust_2.25", "Robust, κ 2.25", FluidMethodKind.Robust) { StableOrder = true, NeighbourList = true, SupportRatio = 2.25f };
+            new BenchSolver("robust_2.25", "Robust, κ 2.25", FluidMethodKind.Robust)
+            {
+                StableOrder = true, NeighbourList = true,
+                SupportRatio = 2.25f
+            };
 
-        BenchSolver(string name, string title, FluidMethodKind method)
+        private BenchSolver(string name, string title, FluidMethodKind method)
         {
             Name = name;
             Title = title;
@@ -97,10 +113,8 @@ namespace SphFluid.Validation
             rules.LiquidDepth = height;
             FluidSolverSettings settings = FluidRules.Derive(rules);
             settings.OctantSearch = OctantSearch;
-            if (Method == FluidMethodKind.Robust)
-                return settings;
-            if (IsThesis)
-                return settings.WithOwn((ref ThesisSettings own) => own.FusedSort = FusedSort);
+            if (Method == FluidMethodKind.Robust) return settings;
+            if (IsThesis) return settings.WithOwn((ref ThesisSettings own) => own.FusedSort = FusedSort);
             return settings.WithOwn((ref StandardSettings own) =>
             {
                 own.StableOrder = StableOrder;

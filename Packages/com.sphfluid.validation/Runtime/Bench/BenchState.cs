@@ -5,10 +5,10 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>A settled liquid from which samples start, and what the searches find in it.</summary>
-    sealed class BenchState
+    internal sealed class BenchState
     {
-        readonly Dictionary<float, double> neighbours = new Dictionary<float, double>();
-        readonly Vector3[] positions;
+        private readonly Dictionary<float, double> neighbours = new Dictionary<float, double>();
+        private readonly Vector3[] positions;
 
         public BenchState(FluidParticle[] particles)
         {
@@ -21,8 +21,7 @@ namespace SphFluid.Validation
         /// <summary>k: mean number of other particles within R [m].</summary>
         public double NeighboursMean(float radius)
         {
-            if (!neighbours.TryGetValue(radius, out double mean))
-                neighbours.Add(radius, mean = NeighbourCount.Of(positions, radius).Mean);
+            if (!neighbours.TryGetValue(radius, out double mean)) neighbours.Add(radius, mean = NeighbourCount.Of(positions, radius).Mean);
             return mean;
         }
 

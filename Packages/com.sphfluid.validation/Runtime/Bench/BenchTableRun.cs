@@ -11,17 +11,17 @@ namespace SphFluid.Validation
     /// Measures rows of one table: settles the liquids, takes a sample of every row that is thrown away, then round after round one
     /// sample of every row, so that a slow change of the machine affects all rows alike. The file is written after every round.
     /// </summary>
-    sealed class BenchTableRun : IDisposable
+    internal sealed class BenchTableRun : IDisposable
     {
-        readonly List<BenchLiquid> liquids = new List<BenchLiquid>();
-        readonly List<BenchRow> rows = new List<BenchRow>();
-        readonly Dictionary<BenchRow, BenchLiquid> liquidOf = new Dictionary<BenchRow, BenchLiquid>();
-        readonly Dictionary<BenchRow, double> frameTimes = new Dictionary<BenchRow, double>();
-        readonly ResultTable<BenchRow> table;
-        readonly BenchSampler sampler;
-        readonly BenchArguments arguments;
-        readonly SessionProgress progress;
-        double copySpeed;
+        private readonly List<BenchLiquid> liquids = new List<BenchLiquid>();
+        private readonly List<BenchRow> rows = new List<BenchRow>();
+        private readonly Dictionary<BenchRow, BenchLiquid> liquidOf = new Dictionary<BenchRow, BenchLiquid>();
+        private readonly Dictionary<BenchRow, double> frameTimes = new Dictionary<BenchRow, double>();
+        private readonly ResultTable<BenchRow> table;
+        private readonly BenchSampler sampler;
+        private readonly BenchArguments arguments;
+        private readonly SessionProgress progress;
+        private double copySpeed;
 
         public BenchTableRun(ResultTable<BenchRow> table, BenchSampler sampler, BenchArguments arguments, SessionProgress progress)
         {
@@ -40,17 +40,21 @@ namespace SphFluid.Validation
         public IEnumerator Run(FluidShaderSet shaders, BenchPlan plan, IReadOnlyList<int> particles)
         {
             var clock = Stopwatch.StartNew();
-            progress.Say($"{plan.Name}: {particles.Sum(n => plan.ConfigsOf(n).Count)} rows on {table.Device}; letting {string.Join(", ", particles)} particles fall first.");
-            if (plan.NeedsCopySpeed)
-                yield return MeasureCopy();
-            foreach (int count in particles)
-                yield return MakeRows(shaders, plan, count);
+            progress
+                .Say(
+                    $"{plan.Name}: {particles.Sum(n => plan.ConfigsOf(n).Count)} rows on {table.Device}; letting " +
+                    $"{string.Join(", ", particles)} particles fall first.");
+            if (plan.NeedsCopySpeed) yield return MeasureCopy();
+            foreach (int count in particles) yield return MakeRows(shaders, plan, count);
             for (int i = 0; i < rows.Count; i++)
             {
                 Show($"warming up row {i + 1} of {rows.Count}, {Title(rows[i])}");
                 yield return Measure(rows[i], false);
             }
-            progress.Say($"{plan.Name}: warming up took {SessionProgress.Duration(clock.Elapsed)}; {SessionProgress.About(Forecast.Left)} left.");
+            progress
+                .Say(
+                    $"{plan.Name}: warming up took {SessionProgress.Duration(clock.Elapsed)}; {SessionProgress.About(Forecast.Left)} " +
+                    "left.");
             for (int round = 0; round < arguments.Samples; round++)
             {
                 for (int i = 0; i < rows.Count; i++)
@@ -64,11 +68,10 @@ namespace SphFluid.Validation
 
         public void Dispose()
         {
-            foreach (BenchLiquid liquid in liquids)
-                liquid.Dispose();
+            foreach (BenchLiquid liquid in liquids) liquid.Dispose();
         }
 
-        IEnumerator MeasureCopy()
+        private IEnumerator MeasureCopy()
         {
             using (var buffers = new CopyBuffers())
             {
@@ -83,7 +86,7 @@ namespace SphFluid.Validation
         }
 
         // The first solver's liquid settles, and all rows start from its state: the same neighbours for all.
-        IEnumerator MakeRows(FluidShaderSet shaders, BenchPlan plan, int count)
+        private IEnumerator MakeRows(FluidShaderSet shaders, BenchPlan plan, int count)
         {
             var liquidsOfSize = new Dictionary<BenchSolver, BenchLiquid>();
             BenchState state = null;
@@ -106,11 +109,10 @@ namespace SphFluid.Validation
                 }
                 liquid.State = state;
             }
-            foreach (BenchConfig config in plan.ConfigsOf(count))
-                AddRow(liquidsOfSize[config.Solver], config);
+            foreach (BenchConfig config in plan.ConfigsOf(count)) AddRow(liquidsOfSize[config.Solver], config);
         }
 
-        void AddRow(BenchLiquid liquid, BenchConfig config)
+        private void AddRow(BenchLiquid liquid, BenchConfig config)
         {
             FluidSolver solver = liquid.Solver;
             bool limited = config.Kind == BenchSurfaceKind.Geometry && !FluidSupport.IsSoftwareDevice;
@@ -131,7 +133,7 @@ namespace SphFluid.Validation
             liquidOf.Add(row, liquid);
         }
 
-        IEnumerator Measure(BenchRow row, bool keep)
+        private IEnumerator Measure(BenchRow row, bool keep)
         {
             var clock = Stopwatch.StartNew();
             frameTimes.TryGetValue(row, out double expected);
@@ -139,25 +141,24 @@ namespace SphFluid.Validation
             row.Dispatches = sampler.Dispatches;
             row.IsListed = liquidOf[row].Solver.ListsNeighbours;
             row.Surface = sampler.FactsOf(row.Config);
-            if (keep)
-                Keep(row);
+            if (keep) Keep(row);
             Forecast.TakeSample(row.Config, row.Particles, clock.Elapsed.TotalSeconds);
             frameTimes[row] = sampler.Last.Frame;
         }
 
-        void Keep(BenchRow row)
+        private void Keep(BenchRow row)
         {
             row.Add(sampler.Last);
-            if (sampler.NeighbourSetup is double milliseconds)
-                row.AddNeighbourSetup(milliseconds);
+            if (sampler.NeighbourSetup is double milliseconds) row.AddNeighbourSetup(milliseconds);
         }
 
-        void Show(string what)
+        private void Show(string what)
         {
             TimeSpan left = Forecast.Left;
             progress.Show(Session.Elapsed.TotalSeconds / Math.Max(1e-9, (Session.Elapsed + left).TotalSeconds), left, what);
         }
 
-        static string Title(BenchRow row) => string.Format(CultureInfo.InvariantCulture, "{0}, {1:N0} particles", row.Config.Title, row.Particles);
+        private static string Title(BenchRow row) =>
+            string.Format(CultureInfo.InvariantCulture, "{0}, {1:N0} particles", row.Config.Title, row.Particles);
     }
 }

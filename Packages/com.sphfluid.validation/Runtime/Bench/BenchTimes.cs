@@ -3,7 +3,7 @@ namespace SphFluid.Validation
     /// <summary>GPU times of some frames, summed [ms].</summary>
     public readonly struct BenchTimes
     {
-        readonly double[] blocks;
+        private readonly double[] blocks;
 
         /// <summary>Times of frames.</summary>
         /// <param name="frames">Number of frames.</param>
@@ -40,8 +40,7 @@ namespace SphFluid.Validation
             get
             {
                 double sum = 0;
-                foreach (double block in blocks)
-                    sum += block;
+                foreach (double block in blocks) sum += block;
                 return sum / Total;
             }
         }
@@ -51,8 +50,7 @@ namespace SphFluid.Validation
         public BenchTimes Plus(in BenchTimes more)
         {
             var sums = (double[])blocks.Clone();
-            for (int i = 0; i < sums.Length; i++)
-                sums[i] += more.blocks[i];
+            for (int i = 0; i < sums.Length; i++) sums[i] += more.blocks[i];
             return new BenchTimes(Frames + more.Frames, Total + more.Total, sums, Setups + more.Setups);
         }
 

@@ -9,7 +9,7 @@ namespace SphFluid.Validation
     /// Two buffers for the device's copy speed, larger together than a graphics card's cache. A CPU device copies by its library's routine,
     /// which is faster than its kernels can move memory.
     /// </summary>
-    sealed class CopyBuffers : IDisposable
+    internal sealed class CopyBuffers : IDisposable
     {
         /// <summary>Copies of a sample.</summary>
         public const int CopiesPerSample = 8;
@@ -17,17 +17,19 @@ namespace SphFluid.Validation
         /// <summary>Samples of a measurement; one more before them is thrown away.</summary>
         public const int Samples = 5;
 
-        const int Bytes = 64 * 1024 * 1024;
-        const int Stride = 16;
+        private const int Bytes = 64 * 1024 * 1024;
+        private const int Stride = 16;
 
-        readonly List<double> seconds = new List<double>();
-        readonly Vector4[] read = new Vector4[1];
-        GraphicsBuffer source, target;
+        private readonly List<double> seconds = new List<double>();
+        private readonly Vector4[] read = new Vector4[1];
+        private GraphicsBuffer source, target;
 
         public CopyBuffers()
         {
-            source = GpuBuffers.Create("CopySource", Bytes / Stride, Stride, GraphicsBuffer.Target.Structured | GraphicsBuffer.Target.CopySource);
-            target = GpuBuffers.Create("CopyTarget", Bytes / Stride, Stride, GraphicsBuffer.Target.Structured | GraphicsBuffer.Target.CopyDestination);
+            source = GpuBuffers.Create("CopySource", Bytes / Stride, Stride,
+                GraphicsBuffer.Target.Structured | GraphicsBuffer.Target.CopySource);
+            target = GpuBuffers.Create("CopyTarget", Bytes / Stride, Stride,
+                GraphicsBuffer.Target.Structured | GraphicsBuffer.Target.CopyDestination);
         }
 
         /// <summary>Bytes read and written a second, by the median of the samples.</summary>

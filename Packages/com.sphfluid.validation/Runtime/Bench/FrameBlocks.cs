@@ -4,7 +4,7 @@ using System.Linq;
 namespace SphFluid.Validation
 {
     /// <summary>The parts that are measured.</summary>
-    static class FrameBlocks
+    internal static class FrameBlocks
     {
         public const string DrawParticles = "DrawParticles";
         public const string DrawSurface = "DrawSurface";
@@ -45,7 +45,8 @@ namespace SphFluid.Validation
         /// <summary>What a step of every method consists of.</summary>
         public static readonly IReadOnlyList<BenchBlock> Step = new[]
         {
-            new BenchBlock("sort", "CalculateParticleCellValue", "BitonicSort", "FusedBitonicSort", "ResetGridIndices", "SetGridIndices", "SortParticles",
+            new BenchBlock("sort", "CalculateParticleCellValue", "BitonicSort", "FusedBitonicSort", "ResetGridIndices", "SetGridIndices",
+                "SortParticles",
                 "ScanCells", "ScatterParticles"),
             new BenchBlock("density", "CalculateDensity", "StandardDensity", "ConstrainDensity"),
             new BenchBlock("motion", "CalculateForce", "CalculateAcceleration", "CalculateNewPosition", "MoveParticles",

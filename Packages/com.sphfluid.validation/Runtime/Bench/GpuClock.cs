@@ -8,19 +8,20 @@ namespace SphFluid.Validation
     /// GPU times of the frame and of its blocks by Unity's profiler. They come some frames after the work: <see cref="Collect"/> is
     /// called once a frame of the engine until all are in.
     /// </summary>
-    sealed class GpuClock : IDisposable
+    internal sealed class GpuClock : IDisposable
     {
-        const int Capacity = 64;
-        const int SetupIndex = -1; // recorders that count
-        const ProfilerRecorderOptions Options = ProfilerRecorderOptions.Default | ProfilerRecorderOptions.GpuRecorder | ProfilerRecorderOptions.StartImmediately;
+        private const int Capacity = 64;
+        private const int SetupIndex = -1; // recorders that count
+        private const ProfilerRecorderOptions Options = ProfilerRecorderOptions.Default | ProfilerRecorderOptions.GpuRecorder |
+            ProfilerRecorderOptions.StartImmediately;
 
-        readonly List<ProfilerRecorderSample> samples = new List<ProfilerRecorderSample>();
-        readonly List<ProfilerRecorder> recorders = new List<ProfilerRecorder>();
-        readonly List<int> blockOf = new List<int>(); // of each recorder; the frame comes after the blocks
-        readonly List<double> frameMilliseconds = new List<double>();
-        readonly long[] nanoseconds;
-        readonly int blockCount;
-        long frames, setups;
+        private readonly List<ProfilerRecorderSample> samples = new List<ProfilerRecorderSample>();
+        private readonly List<ProfilerRecorder> recorders = new List<ProfilerRecorder>();
+        private readonly List<int> blockOf = new List<int>(); // of each recorder; the frame comes after the blocks
+        private readonly List<double> frameMilliseconds = new List<double>();
+        private readonly long[] nanoseconds;
+        private readonly int blockCount;
+        private long frames, setups;
 
         public GpuClock(IReadOnlyList<BenchBlock> blocks)
         {
@@ -28,15 +29,15 @@ namespace SphFluid.Validation
             nanoseconds = new long[blockCount + 1];
             for (int i = 0; i < blockCount; i++)
             {
-                foreach (string marker in blocks[i].Markers)
-                    Listen(marker, i);
+                foreach (string marker in blocks[i].Markers) Listen(marker, i);
             }
             Listen(FrameBlocks.Frame, blockCount);
-            foreach (string marker in FrameBlocks.Setup)
-                Listen(marker, SetupIndex);
+            foreach (string marker in FrameBlocks.Setup) Listen(marker, SetupIndex);
         }
 
-        /// <summary>The time of each benchmark frame that came so far, in their order [ms]; frames of the engine with several count as their sum.</summary>
+        /// <summary>
+        /// The time of each benchmark frame that came so far, in their order [ms]; frames of the engine with several count as their sum.
+        /// </summary>
         public IReadOnlyList<double> FrameMilliseconds => frameMilliseconds;
 
         /// <summary>Forgets what came so far.</summary>
@@ -60,8 +61,7 @@ namespace SphFluid.Validation
                         setups += sample.Count;
                     else
                         nanoseconds[blockOf[i]] += sample.Value;
-                    if (blockOf[i] != blockCount || sample.Count == 0)
-                        continue;
+                    if (blockOf[i] != blockCount || sample.Count == 0) continue;
                     frames += sample.Count;
                     frameMilliseconds.Add(sample.Value * 1e-6);
                 }
@@ -73,18 +73,16 @@ namespace SphFluid.Validation
         public BenchTimes Times(int frameCount)
         {
             var blocks = new double[blockCount];
-            for (int i = 0; i < blocks.Length; i++)
-                blocks[i] = nanoseconds[i] * 1e-6;
+            for (int i = 0; i < blocks.Length; i++) blocks[i] = nanoseconds[i] * 1e-6;
             return new BenchTimes(frameCount, nanoseconds[blockCount] * 1e-6, blocks, setups);
         }
 
         public void Dispose()
         {
-            foreach (ProfilerRecorder recorder in recorders)
-                recorder.Dispose();
+            foreach (ProfilerRecorder recorder in recorders) recorder.Dispose();
         }
 
-        void Listen(string marker, int block)
+        private void Listen(string marker, int block)
         {
             recorders.Add(new ProfilerRecorder(ComputeKernel.CreateMarker(marker), Capacity, Options));
             blockOf.Add(block);

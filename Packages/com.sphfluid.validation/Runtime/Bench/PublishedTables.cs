@@ -8,12 +8,14 @@ namespace SphFluid.Validation
     /// </summary>
     public static class PublishedTables
     {
-        static readonly int[] particles = { 16384, 32768, 65536 };
-        static readonly int[] grids = { 32, 64, 128, 256 };
+        private static readonly int[] particles = { 16384, 32768, 65536 };
+        private static readonly int[] grids = { 32, 64, 128, 256 };
 
         // A row a configuration: SPH only, SPH + particles, SPH + MC 32, 64, 128, 256. A column a number of particles.
-        static readonly int[,] system1 = { { 920, 915, 910 }, { 903, 895, 860 }, { 608, 524, 440 }, { 314, 241, 184 }, { 86, 65, 49 }, { 12, 8, 7 } };
-        static readonly int[,] system2 = { { 835, 805, 798 }, { 800, 790, 755 }, { 537, 463, 389 }, { 277, 212, 180 }, { 78, 60, 44 }, { 10, 7, 4 } };
+        private static readonly int[,] system1 = { { 920, 915, 910 }, { 903, 895, 860 }, { 608, 524, 440 }, { 314, 241, 184 },
+            { 86, 65, 49 }, { 12, 8, 7 } };
+        private static readonly int[,] system2 = { { 835, 805, 798 }, { 800, 790, 755 }, { 537, 463, 389 }, { 277, 212, 180 },
+            { 78, 60, 44 }, { 10, 7, 4 } };
 
         /// <summary>Table 3: frames a second on System 1 (GTX 580), or null where the table has no such row.</summary>
         /// <param name="config">Configuration.</param>
@@ -25,7 +27,7 @@ namespace SphFluid.Validation
         /// <param name="count">Number of particles.</param>
         public static int? System2(in BenchConfig config, int count) => Find(system2, config, count);
 
-        static int? Find(int[,] table, in BenchConfig config, int count)
+        private static int? Find(int[,] table, in BenchConfig config, int count)
         {
             int column = System.Array.IndexOf(particles, count);
             int row = config.Grid > 0 ? System.Array.IndexOf(grids, config.Grid) + 2 : config.Name == "sph_only" ? 0 : 1;

@@ -9,7 +9,7 @@ namespace SphFluid.Validation
     public sealed class SolverLayout : BenchLayout
     {
         // Sizes of a growth exponent: the row's own and those down to a sixteenth of it.
-        const int GrowthSpan = 16;
+        private const int GrowthSpan = 16;
 
         /// <summary>The form for some parts of a step.</summary>
         /// <param name="parts">Names of the parts, a column each.</param>
@@ -44,34 +44,41 @@ namespace SphFluid.Validation
 
         /// <inheritdoc/>
         public override string Head =>
-            $"{"",-20}{"particles",10}{"k",7}{"tests/k",9}{"dispatches",12}{"rebuilds",10}{"GPU ms",10}{"over 27",9}{"fused",8}{"over 8",8}{"sort",6}{"roofline",10}{"growth",8}";
+            $"{"",-20}{"particles",10}{"k",7}{"tests/k",9}{"dispatches",12}{"rebuilds",10}{"GPU ms",10}{"over 27",9}{"fused",8}" +
+            $"{"over 8",8}{"sort",6}{"roofline",10}{"growth",8}";
 
         /// <inheritdoc/>
         public override string Line(BenchRow row) =>
-            string.Format(CultureInfo.InvariantCulture, "{0,-20}{1,10}{2,7:F1}{3,9:F1}{4,12:G4}{5,10:G3}{6,10:F3}{7,9}{8,8}{9,8}{10,6:P0}{11,10:P1}{12,8}",
-                row.Config.Title, row.Particles, row.NeighboursMean, row.CandidatesMean / row.NeighboursMean, (double)row.Dispatches / row.Config.Steps, row.Rebuilds, row.Frame.Median,
-                Short(SpeedUp(row, BenchSolver.ThesisCells)), Short(SpeedUp(row, BenchSolver.ThesisFused)), Short(SpeedUp(row, BenchSolver.ThesisOctant)), row.Share(0),
+            string.Format(CultureInfo.InvariantCulture,
+                "{0,-20}{1,10}{2,7:F1}{3,9:F1}{4,12:G4}{5,10:G3}{6,10:F3}{7,9}{8,8}{9,8}{10,6:P0}{11,10:P1}{12,8}",
+                row.Config.Title, row.Particles, row.NeighboursMean, row.CandidatesMean / row.NeighboursMean,
+                (double)row.Dispatches / row.Config.Steps, row.Rebuilds, row.Frame.Median,
+                Short(SpeedUp(row, BenchSolver.ThesisCells)), Short(SpeedUp(row, BenchSolver.ThesisFused)),
+                Short(SpeedUp(row, BenchSolver.ThesisOctant)), row.Share(0),
                 Roofline(row) / row.Frame.Median, Short(Growth(row)));
 
         // How many times faster than another solver at the same k; not a number where that was not measured.
-        static double SpeedUp(BenchRow row, BenchSolver than)
+        private static double SpeedUp(BenchRow row, BenchSolver than)
         {
             BenchRow other = row.Peers.FirstOrDefault(r => r.Config.Solver == than && r.Particles == row.Particles && r.IsMeasured);
-            return other == null || than.SupportRatio != row.Config.Solver.SupportRatio ? double.NaN : other.Frame.Median / row.Frame.Median;
+            return other == null || than.SupportRatio != row.Config.Solver.SupportRatio ? double.NaN
+                : other.Frame.Median / row.Frame.Median;
         }
 
         // Milliseconds at the device's copy speed.
-        static double Roofline(BenchRow row) => 1e3 * StepBytes.Of(row) / row.CopySpeed;
+        private static double Roofline(BenchRow row) => 1e3 * StepBytes.Of(row) / row.CopySpeed;
 
         // Exponent of time over the number of particles; not a number with a single size.
-        static double Growth(BenchRow row)
+        private static double Growth(BenchRow row)
         {
             var fit = new LineFit();
             foreach (BenchRow other in row.Peers)
             {
                 bool near = other.Particles <= row.Particles && (long)GrowthSpan * other.Particles >= row.Particles;
                 if (near && other.Config.Name == row.Config.Name && other.IsMeasured)
+                {
                     fit.Add(Math.Log(other.Particles), Math.Log(other.Frame.Median));
+                }
             }
             return fit.Slope;
         }

@@ -4,19 +4,21 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>
-    /// Memory that a step must move, by what its passes read and write once: neighbours that are read count as found in caches, and so do a mesh's
-    /// triangles and the walls near particles.
+    /// Memory that a step must move, by what its passes read and write once: neighbours that are read count as found in caches, and so do a
+    /// mesh's triangles and the walls near particles.
     /// </summary>
     public static class StepBytes
     {
         // Of FluidParticle, 48 bytes: position and id, or those and one velocity.
-        const long Pair = 8, Particle = 48, Position = 16, PositionAndVelocity = 32;
-        const int ThesisPassesBesidesSort = 8;
+        private const long Pair = 8, Particle = 48, Position = 16, PositionAndVelocity = 32;
+        private const int ThesisPassesBesidesSort = 8;
 
         // The bitonic sort takes a power of two of pairs, and a block of them at least.
-        const long SortBlock = 1024;
+        private const long SortBlock = 1024;
 
-        /// <summary>Bytes of a step of the Standard method. 16,384 particles and 12,167 cells, no list: 192 · 16,384 + 36 · 12,167 = 3.6 MB.</summary>
+        /// <summary>
+        /// Bytes of a step of the Standard method. 16,384 particles and 12,167 cells, no list: 192 · 16,384 + 36 · 12,167 = 3.6 MB.
+        /// </summary>
         /// <param name="particles">Number of particles.</param>
         /// <param name="cells">Number of cells.</param>
         /// <param name="stableOrder">Whether particles of a cell are ordered.</param>
@@ -78,7 +80,9 @@ namespace SphFluid.Validation
         {
             BenchSolver solver = row.Config.Solver;
             if (solver.Method == FluidMethodKind.Robust)
+            {
                 return Robust(row.Particles, row.Cells, 2, row.IsListed ? row.NeighboursMean : (double?)null);
+            }
             return solver.Method == FluidMethodKind.Standard
                 ? Standard(row.Particles, row.Cells, solver.StableOrder, solver.HasMesh, row.IsListed ? row.NeighboursMean : (double?)null)
                 : Thesis(row.Particles, row.Cells, row.Dispatches);

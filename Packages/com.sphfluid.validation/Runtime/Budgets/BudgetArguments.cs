@@ -6,25 +6,24 @@ namespace SphFluid.Validation
     /// <summary>Which budgets <c>budgets</c> gives the method Automatic, for which liquids, and where it writes.</summary>
     public sealed class BudgetArguments : MeasuringArguments
     {
-        static readonly double[] UsualBudgets = { 0.5, 1.0, 2.0, 4.0, 8.0, 20.0 };
-        static readonly int[] UsualParticles = { 500, 4000 };
+        private static readonly double[] UsualBudgets = { 0.5, 1.0, 2.0, 4.0, 8.0, 20.0 };
+        private static readonly int[] UsualParticles = { 500, 4000 };
 
-        readonly List<double> budgets = new List<double>();
-        readonly List<int> particles = new List<int>();
+        private readonly List<double> budgets = new List<double>();
+        private readonly List<int> particles = new List<int>();
 
         internal BudgetArguments() : base("budgets", "Build/budgets")
         {
             Options.Add("--budget", "MS...", "milliseconds a frame that the steps may take", string.Join(" ", UsualBudgets), flag =>
             {
-                foreach (string word in flag.Values())
-                    budgets.Add(CommandLineWords.Milliseconds(flag.Name, word));
+                foreach (string word in flag.Values()) budgets.Add(CommandLineWords.Milliseconds(flag.Name, word));
             });
             Options.Add("--particles", "N...", "about so many particles", string.Join(" ", UsualParticles), flag =>
             {
-                foreach (string word in flag.Values())
-                    particles.Add(CommandLineWords.Integer(flag.Name, word, 64, 16 * 1024 * 1024));
+                foreach (string word in flag.Values()) particles.Add(CommandLineWords.Integer(flag.Name, word, 64, 16 * 1024 * 1024));
             });
-            Options.Add("--repeat", "R", "runs of everything, each with another start jitter", $"{Repeats}", flag => Repeats = flag.Integer(1, 99));
+            Options.Add("--repeat", "R", "runs of everything, each with another start jitter", $"{Repeats}",
+                flag => Repeats = flag.Integer(1, 99));
             AddFolder();
         }
 
@@ -43,10 +42,8 @@ namespace SphFluid.Validation
         {
             var result = new BudgetArguments();
             result.Read(commandLine);
-            if (result.budgets.Count == 0)
-                result.budgets.AddRange(UsualBudgets);
-            if (result.particles.Count == 0)
-                result.particles.AddRange(UsualParticles);
+            if (result.budgets.Count == 0) result.budgets.AddRange(UsualBudgets);
+            if (result.particles.Count == 0) result.particles.AddRange(UsualParticles);
             return result;
         }
     }

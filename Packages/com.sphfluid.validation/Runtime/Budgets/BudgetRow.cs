@@ -3,7 +3,7 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>A line of budgets.csv: a liquid that was played by one way, and how far its motion was from the reference's.</summary>
-    sealed class BudgetRow : MeasuredRow
+    internal sealed class BudgetRow : MeasuredRow
     {
         /// <summary>The file.</summary>
         public static readonly TableFormat<BudgetRow> Format = new TableFormat<BudgetRow>("budgets.csv")
@@ -49,7 +49,10 @@ namespace SphFluid.Validation
         /// <summary>Time of a frame's steps on the graphics device, mean of the last frames with steps [ms].</summary>
         public double Milliseconds;
 
-        /// <summary>Time of a frame's steps of all runs with this method and these settings, their median [ms]: what a moment of a busy device does not move.</summary>
+        /// <summary>
+        /// Time of a frame's steps of all runs with this method and these settings, their median [ms]: what a moment of a busy device does
+        /// not move.
+        /// </summary>
         public double Cost;
 
         /// <summary>Mean steps of a frame.</summary>

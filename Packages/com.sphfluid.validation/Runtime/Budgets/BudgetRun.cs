@@ -7,37 +7,37 @@ using Object = UnityEngine.Object;
 namespace SphFluid.Validation
 {
     /// <summary>
-    /// Plays a breaking dam by one way: a column of water in the corner of a box falls, runs to the other side and comes back. Frames are 1/60 s, whatever time they
-    /// take.
+    /// Plays a breaking dam by one way: a column of water in the corner of a box falls, runs to the other side and comes back. Frames are
+    /// 1/60 s, whatever time they take.
     /// </summary>
-    sealed class BudgetRun : IDisposable
+    internal sealed class BudgetRun : IDisposable
     {
         /// <summary>Frames that are played: the wave has hit the far wall by then.</summary>
         public const int Frames = 75;
 
-        const float FrameTime = 1f / 60f;
+        private const float FrameTime = 1f / 60f;
 
-        // Above what the stiffest way needs to stay calm, 0.001 c R at c = 20 √(2 g · 0.5 m) and R = 2.25 dx: all ways have the same liquid.
-        const float ViscosityOverSpacing = 0.15f; // m/s
+        // Above what the stiffest way needs to stay calm, 0.001 c R at c = 20 √(2 g · 0.5 m) and R = 2.25 dx: all ways have the same
+        // liquid.
+        private const float ViscosityOverSpacing = 0.15f; // m/s
 
         // Enough for runs to part, so little that no way throws its particles up: elastic energy goes with c².
-        const float Jitter = 0.002f;
+        private const float Jitter = 0.002f;
 
-        static readonly Vector3 Domain = new Vector3(0.9f, 0.6f, 0.24f), Column = new Vector3(0.3f, 0.5f, 0.24f);
+        private static readonly Vector3 Domain = new Vector3(0.9f, 0.6f, 0.24f), Column = new Vector3(0.3f, 0.5f, 0.24f);
 
-        readonly BudgetWay way;
-        readonly FluidProfile profile;
-        readonly GameObject holder;
-        readonly FluidSimulation simulation;
-        readonly float captureBefore = Time.captureDeltaTime;
+        private readonly BudgetWay way;
+        private readonly FluidProfile profile;
+        private readonly GameObject holder;
+        private readonly FluidSimulation simulation;
+        private readonly float captureBefore = Time.captureDeltaTime;
 
         public BudgetRun(BudgetWay way, int particles, int seed, FluidShaderSet shaders)
         {
             this.way = way;
             profile = ScriptableObject.CreateInstance<FluidProfile>();
             (profile.Shaders, profile.MaxCompression, profile.SoundSpeedRatio) = (shaders, way.MaxCompression, way.SoundSpeedRatio);
-            if (way.Substeps > 0)
-                profile.Substeps = way.Substeps;
+            if (way.Substeps > 0) profile.Substeps = way.Substeps;
             holder = new GameObject("Budget Run");
             simulation = holder.AddComponent<FluidSimulation>();
             simulation.PlayOnEnable = false;
@@ -45,8 +45,7 @@ namespace SphFluid.Validation
             (simulation.Profile, simulation.DomainSize, simulation.ColliderLayers) = (profile, Domain, 0);
             (simulation.Method, simulation.Seed, simulation.SleepsAtRest) = (way.Method, seed, false);
             simulation.MaxSubstepsPerFrame = way.Method == FluidMethodKind.Automatic ? 8 : 1000;
-            if (!double.IsNaN(way.Budget))
-                simulation.FrameBudget = (float)way.Budget;
+            if (!double.IsNaN(way.Budget)) simulation.FrameBudget = (float)way.Budget;
             var liquid = new GameObject("Column");
             liquid.transform.SetParent(holder.transform, false);
             liquid.transform.localPosition = 0.5f * (Column - Domain);
@@ -66,8 +65,7 @@ namespace SphFluid.Validation
         public IEnumerator Run()
         {
             Time.captureDeltaTime = FrameTime;
-            if (!simulation.StartSimulation())
-                throw new FluidDeviceException(simulation.StatusMessage);
+            if (!simulation.StartSimulation()) throw new FluidDeviceException(simulation.StatusMessage);
             simulation.BeginTiming();
             var path = new List<Vector3>();
             var particles = new List<FluidParticle>();
@@ -77,8 +75,7 @@ namespace SphFluid.Validation
             {
                 int before = played;
                 yield return null;
-                if (played == before)
-                    continue;
+                if (played == before) continue;
                 simulation.TryReadParticles(particles);
                 path.Add(Centre(particles));
                 Share = played / (double)Frames;
@@ -93,7 +90,7 @@ namespace SphFluid.Validation
             Object.DestroyImmediate(profile);
         }
 
-        void Fill(List<Vector3> path, int particles, int played)
+        private void Fill(List<Vector3> path, int particles, int played)
         {
             FluidMethodChoice choice = simulation.MethodChoice;
             Row.Path = path.ToArray();
@@ -109,7 +106,7 @@ namespace SphFluid.Validation
             simulation.EndTiming();
         }
 
-        static Vector3 Centre(List<FluidParticle> particles)
+        private static Vector3 Centre(List<FluidParticle> particles)
         {
             double x = 0.0, y = 0.0, z = 0.0;
             foreach (FluidParticle particle in particles)

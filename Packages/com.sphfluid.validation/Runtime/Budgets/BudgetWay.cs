@@ -3,13 +3,13 @@ using System.Collections.Generic;
 namespace SphFluid.Validation
 {
     /// <summary>How a liquid is computed in a run of <c>budgets</c>: by a given method, or as Automatic picks it for a budget.</summary>
-    sealed class BudgetWay
+    internal sealed class BudgetWay
     {
         // The compression of which the accuracy cases are a tenth or less, 1 %, and three times as much, as Automatic takes it.
-        const float Compression = 0.01f, Ratio = 10f;
-        const float SoftCompression = 3f * Compression, SoftRatio = 5.7735f;
+        private const float Compression = 0.01f, Ratio = 10f;
+        private const float SoftCompression = 3f * Compression, SoftRatio = 5.7735f;
 
-        BudgetWay(string name, FluidMethodKind method, float compression = Compression, float ratio = Ratio)
+        private BudgetWay(string name, FluidMethodKind method, float compression = Compression, float ratio = Ratio)
         {
             Name = name;
             Method = method;
@@ -46,7 +46,8 @@ namespace SphFluid.Validation
             Robust(4), Robust(6), Robust(8), Robust(12), Robust(16),
         };
 
-        static BudgetWay Robust(int substeps) => new BudgetWay($"robust-{substeps}", FluidMethodKind.Robust) { Substeps = substeps };
+        private static BudgetWay Robust(int substeps) =>
+            new BudgetWay($"robust-{substeps}", FluidMethodKind.Robust) { Substeps = substeps };
 
         /// <summary>Automatic with a budget.</summary>
         /// <param name="milliseconds">The budget [ms].</param>

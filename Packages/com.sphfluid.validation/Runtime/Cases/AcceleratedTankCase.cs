@@ -6,14 +6,15 @@ namespace SphFluid.Validation
 {
     /// <summary>
     /// A tank of water, 2 m long and 1 m deep, is at rest and then accelerated along its length at a constant 0.05 g. The level tilts,
-    /// overshoots and swings about the plane at right angles to what now pulls, of slope a/g. Seen from the tank; a thin slab, periodic across.
+    /// overshoots and swings about the plane at right angles to what now pulls, of slope a/g. Seen from the tank; a thin slab, periodic
+    /// across.
     /// </summary>
     public sealed class AcceleratedTankCase : ValidationCase
     {
-        const double Length = 2.0, Depth = 1.0, Gravity = 9.81;
-        const double Slope = 0.05;
-        const double Periods = 2.0; // of the first mode
-        const double SamplesPerPeriod = 40.0;
+        private const double Length = 2.0, Depth = 1.0, Gravity = 9.81;
+        private const double Slope = 0.05;
+        private const double Periods = 2.0; // of the first mode
+        private const double SamplesPerPeriod = 40.0;
 
         /// <inheritdoc/>
         public override string Name => "accelerated-tank";
@@ -65,10 +66,11 @@ namespace SphFluid.Validation
 
         /// <inheritdoc/>
         public override CaseMetric CreateMetric(in CaseParameters parameters, CaseSetup setup) => new AcceleratedTankMetric(
-            new TankModes(Length, Depth, Gravity, CaseSettings.EffectiveSoundSpeed(setup.Settings)), -0.5 * setup.Settings.DomainSize.x, Slope);
+            new TankModes(Length, Depth, Gravity, CaseSettings.EffectiveSoundSpeed(setup.Settings)),
+            -0.5 * setup.Settings.DomainSize.x, Slope);
 
         // At rest under gravity alone, compressed by it.
-        static FluidParticle[] Level(in CaseParameters parameters, in FluidSolverSettings settings, int width, double dx)
+        private static FluidParticle[] Level(in CaseParameters parameters, in FluidSolverSettings settings, int width, double dx)
         {
             Vector3 domain = settings.DomainSize;
             var counts = new Vector3Int((int)Math.Round(Length / dx), parameters.Resolution, width);

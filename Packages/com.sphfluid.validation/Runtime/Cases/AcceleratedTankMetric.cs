@@ -5,19 +5,19 @@ using System.Linq;
 namespace SphFluid.Validation
 {
     /// <summary>
-    /// Levels along a tank whose liquid a sideways acceleration sets swinging, held against linear waves. Modes 1 to 7 are measured; those of
-    /// even number, which the exact linear waves do not have, are the second order's and count for nothing.
+    /// Levels along a tank whose liquid a sideways acceleration sets swinging, held against linear waves. Modes 1 to 7 are measured; those
+    /// of even number, which the exact linear waves do not have, are the second order's and count for nothing.
     /// </summary>
     public sealed class AcceleratedTankMetric : CaseMetric
     {
         internal const string ErrorName = "levels, RMS over their own";
 
-        const int Modes = 7;
+        private const int Modes = 7;
 
-        readonly TankModes tank;
-        readonly double wall, slope;
-        readonly List<double> times = new List<double>();
-        readonly List<double[]> modes = new List<double[]>();
+        private readonly TankModes tank;
+        private readonly double wall, slope;
+        private readonly List<double> times = new List<double>();
+        private readonly List<double[]> modes = new List<double[]>();
 
         /// <summary>A metric for one run.</summary>
         /// <param name="tank">The tank.</param>

@@ -2,11 +2,13 @@ using System;
 
 namespace SphFluid.Validation
 {
-    /// <summary>A symmetric positive definite matrix of which only a band about the diagonal is not zero, and its factor L in A = L Lᵀ.</summary>
-    sealed class BandedCholesky
+    /// <summary>
+    /// A symmetric positive definite matrix of which only a band about the diagonal is not zero, and its factor L in A = L Lᵀ.
+    /// </summary>
+    internal sealed class BandedCholesky
     {
-        readonly int count, band;
-        readonly double[] lower; // row i: columns i − band to i
+        private readonly int count, band;
+        private readonly double[] lower; // row i: columns i − band to i
 
         /// <summary>A matrix of zeros.</summary>
         /// <param name="count">Rows.</param>
@@ -30,10 +32,11 @@ namespace SphFluid.Validation
                 for (int j = Math.Max(0, i - band); j <= i; j++)
                 {
                     double sum = lower[At(i, j)];
-                    for (int k = Math.Max(0, i - band); k < j; k++)
-                        sum -= j - k <= band ? lower[At(i, k)] * lower[At(j, k)] : 0.0;
+                    for (int k = Math.Max(0, i - band); k < j; k++) sum -= j - k <= band ? lower[At(i, k)] * lower[At(j, k)] : 0.0;
                     if (i == j && !(sum > 0.0))
+                    {
                         throw new ArithmeticException($"The matrix is not positive definite: its row {i} depends on those before it.");
+                    }
                     lower[At(i, j)] = i == j ? Math.Sqrt(sum) : sum / lower[At(j, j)];
                 }
             }
@@ -45,18 +48,16 @@ namespace SphFluid.Validation
         {
             for (int i = 0; i < count; i++)
             {
-                for (int k = Math.Max(0, i - band); k < i; k++)
-                    x[i] -= lower[At(i, k)] * x[k];
+                for (int k = Math.Max(0, i - band); k < i; k++) x[i] -= lower[At(i, k)] * x[k];
                 x[i] /= lower[At(i, i)];
             }
             for (int i = count - 1; i >= 0; i--)
             {
                 x[i] /= lower[At(i, i)];
-                for (int k = Math.Max(0, i - band); k < i; k++)
-                    x[k] -= lower[At(i, k)] * x[i];
+                for (int k = Math.Max(0, i - band); k < i; k++) x[k] -= lower[At(i, k)] * x[i];
             }
         }
 
-        int At(int row, int column) => row * (band + 1) + column - row + band;
+        private int At(int row, int column) => row * (band + 1) + column - row + band;
     }
 }

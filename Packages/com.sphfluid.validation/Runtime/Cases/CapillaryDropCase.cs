@@ -5,15 +5,16 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>
-    /// A drop of water, 1 cm in radius, that is a tenth longer along z than its volume's ball, swings by its surface tension alone: no gravity, no walls.
+    /// A drop of water, 1 cm in radius, that is a tenth longer along z than its volume's ball, swings by its surface tension alone: no
+    /// gravity, no walls.
     /// </summary>
     public sealed class CapillaryDropCase : ValidationCase
     {
-        const double Radius = 0.01, Tension = 0.072;
-        const double Longer = 0.1;
-        const double Periods = 2.5;
-        const double SamplesPerPeriod = 40.0;
-        const double HalfDomain = 2.5; // over the radius
+        private const double Radius = 0.01, Tension = 0.072;
+        private const double Longer = 0.1;
+        private const double Periods = 2.5;
+        private const double SamplesPerPeriod = 40.0;
+        private const double HalfDomain = 2.5; // over the radius
 
         /// <inheritdoc/>
         public override string Name => "capillary-drop";
@@ -28,7 +29,8 @@ namespace SphFluid.Validation
         public override string Title => "A drop swings by its surface tension";
 
         /// <inheritdoc/>
-        public override string Source => "exact for small swings: Lamb, Hydrodynamics, § 275; J. Tsamopoulos and R. Brown 1983, J. Fluid Mech. 127, 519";
+        public override string Source =>
+            "exact for small swings: Lamb, Hydrodynamics, § 275; J. Tsamopoulos and R. Brown 1983, J. Fluid Mech. 127, 519";
 
         /// <inheritdoc/>
         public override string ErrorName => CapillaryDropMetric.ErrorName;
@@ -49,13 +51,15 @@ namespace SphFluid.Validation
         {
             WallCaseSetup.Require(parameters, Name, 4);
             if (!parameters.Method.HasTension)
+            {
                 throw new ArgumentException($"{Name}: the method {parameters.Method.Name} has no surface tension.");
+            }
             List<Vector3> ball = CaseLattice.Ball(Radius, Radius / parameters.Resolution);
             double dx = Math.Pow(4.0 / 3.0 * Math.PI / ball.Count, 1.0 / 3.0) * Radius, scale = dx * parameters.Resolution / Radius;
             // Along z by 1 + ε, across by its root: the volume stays.
-            var shape = new Vector3((float)(scale / Math.Sqrt(1.0 + Longer)), (float)(scale / Math.Sqrt(1.0 + Longer)), (float)(scale * (1.0 + Longer)));
-            for (int i = 0; i < ball.Count; i++)
-                ball[i] = Vector3.Scale(shape, ball[i]);
+            var shape = new Vector3((float)(scale / Math.Sqrt(1.0 + Longer)), (float)(scale / Math.Sqrt(1.0 + Longer)),
+                (float)(scale * (1.0 + Longer)));
+            for (int i = 0; i < ball.Count; i++) ball[i] = Vector3.Scale(shape, ball[i]);
             var domain = (float)(2.0 * HalfDomain * Radius) * Vector3.one;
             double speed = CapillaryDropMetric.FrequencyOf(Tension, 1000.0 * 4.0 / 3.0 * Math.PI * Radius * Radius * Radius) * Radius;
             FluidSolverSettings settings = CaseSettings.For(parameters, domain, dx, speed, Vector3.zero, tension: Tension);
@@ -76,6 +80,6 @@ namespace SphFluid.Validation
         public override CaseMetric CreateMetric(in CaseParameters parameters, CaseSetup setup) => new CapillaryDropMetric(Tension,
             Mass(setup.Settings, setup.Particles.Length), setup.Settings.Viscosity / setup.Settings.RestDensity, Radius);
 
-        static double Mass(in FluidSolverSettings settings, int particles) => particles * (double)settings.ParticleMass;
+        private static double Mass(in FluidSolverSettings settings, int particles) => particles * (double)settings.ParticleMass;
     }
 }

@@ -6,17 +6,17 @@ namespace SphFluid.Validation
 {
     /// <summary>
     /// Follows how long a drop is along z against across, ⟨z²⟩ − ½⟨x² + y²⟩ over ⟨r²⟩ about its centre, which is its second mode where the
-    /// change is small, and fits a damped oscillation. Lamb's frequency is ω² = 8σ/(ρR³), which by the drop's mass M is 32πσ/(3M); viscosity
-    /// damps as e^(−5νt/R²) (H. Lamb, Hydrodynamics, §§ 275 and 355).
+    /// change is small, and fits a damped oscillation. Lamb's frequency is ω² = 8σ/(ρR³), which by the drop's mass M is 32πσ/(3M);
+    /// viscosity damps as e^(−5νt/R²) (H. Lamb, Hydrodynamics, §§ 275 and 355).
     /// </summary>
     public sealed class CapillaryDropMetric : CaseMetric
     {
         internal const string ErrorName = "period";
 
-        readonly double frequency, damping;
-        readonly List<double> times = new List<double>();
-        readonly List<double> lengths = new List<double>();
-        readonly List<double> radii = new List<double>();
+        private readonly double frequency, damping;
+        private readonly List<double> times = new List<double>();
+        private readonly List<double> lengths = new List<double>();
+        private readonly List<double> radii = new List<double>();
 
         /// <summary>A metric for one run.</summary>
         /// <param name="tension">σ [N/m].</param>
@@ -52,8 +52,8 @@ namespace SphFluid.Validation
         }
 
         /// <summary>
-        /// |T/T_Lamb − 1|; the same with its sign; the damping rate over ω; that rate less what the set viscosity gives, over ω; the radius at the end
-        /// over the start's, less 1; what the fit leaves.
+        /// |T/T_Lamb − 1|; the same with its sign; the damping rate over ω; that rate less what the set viscosity gives, over ω; the radius
+        /// at the end over the start's, less 1; what the fit leaves.
         /// </summary>
         public override IReadOnlyList<CaseError> Evaluate()
         {

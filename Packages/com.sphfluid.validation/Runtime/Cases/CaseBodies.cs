@@ -5,11 +5,11 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>The moving bodies of a run among what the liquid collides with.</summary>
-    sealed class CaseBodies
+    internal sealed class CaseBodies
     {
-        readonly IReadOnlyList<CaseBody> bodies;
-        readonly int[] numbers;
-        FluidObstacles obstacles;
+        private readonly IReadOnlyList<CaseBody> bodies;
+        private readonly int[] numbers;
+        private FluidObstacles obstacles;
 
         /// <exception cref="ArgumentException">A body has no closed mesh, or no mass and no path.</exception>
         public CaseBodies(IReadOnlyList<CaseBody> bodies)
@@ -19,9 +19,14 @@ namespace SphFluid.Validation
             foreach (CaseBody body in bodies)
             {
                 if (body.Mesh == null || !body.Mesh.IsClosed)
-                    throw new ArgumentException("A body's mesh is missing or not closed: give it all of its faces, each wound outward.", nameof(bodies));
+                {
+                    throw new ArgumentException("A body's mesh is missing or not closed: give it all of its faces, each wound outward.",
+                        nameof(bodies));
+                }
                 if (body.Floats && !(body.Mass > 0f))
+                {
                     throw new ArgumentException("A body has neither a path nor a mass: give it one of them.", nameof(bodies));
+                }
             }
         }
 
@@ -49,16 +54,16 @@ namespace SphFluid.Validation
             }
         }
 
-        /// <summary>Lets the next steps, all recorded at once, take what has a path to where that leads; what floats goes its own way.</summary>
+        /// <summary>
+        /// Lets the next steps, all recorded at once, take what has a path to where that leads; what floats goes its own way.
+        /// </summary>
         /// <param name="time">Time at the end of those steps [s].</param>
         public void MoveTo(double time)
         {
-            if (bodies.Count == 0)
-                return;
+            if (bodies.Count == 0) return;
             for (int i = 0; i < bodies.Count; i++)
             {
-                if (!bodies[i].Floats)
-                    obstacles.MoveTo(numbers[i], Matrix4x4.Translate(bodies[i].At(time)));
+                if (!bodies[i].Floats) obstacles.MoveTo(numbers[i], Matrix4x4.Translate(bodies[i].At(time)));
             }
             obstacles.Update(Matrix4x4.identity);
         }
@@ -69,7 +74,9 @@ namespace SphFluid.Validation
         {
             var places = new Vector3[bodies.Count];
             for (int i = 0; i < places.Length; i++)
+            {
                 places[i] = bodies[i].Floats ? obstacles.ReadPoseNow(numbers[i], out _) : bodies[i].At(time);
+            }
             return places;
         }
     }

@@ -18,7 +18,8 @@ namespace SphFluid.Validation
                 for (int y = 0; y < counts.y; y++)
                     for (int x = 0; x < counts.x; x++)
                     {
-                        positions.Add(corner + new Vector3((float)((x + 0.5) * spacing), (float)((y + 0.5) * spacing), (float)((z + 0.5) * spacing)));
+                        positions.Add(corner +
+                            new Vector3((float)((x + 0.5) * spacing), (float)((y + 0.5) * spacing), (float)((z + 0.5) * spacing)));
                     }
             return positions;
         }
@@ -35,8 +36,7 @@ namespace SphFluid.Validation
                     for (int x = -reach; x < reach; x++)
                     {
                         double px = (x + 0.5) * spacing, py = (y + 0.5) * spacing, pz = (z + 0.5) * spacing;
-                        if (px * px + py * py + pz * pz <= radius * radius)
-                            positions.Add(new Vector3((float)px, (float)py, (float)pz));
+                        if (px * px + py * py + pz * pz <= radius * radius) positions.Add(new Vector3((float)px, (float)py, (float)pz));
                     }
             return positions;
         }
@@ -48,8 +48,7 @@ namespace SphFluid.Validation
         /// <param name="inside">Half size of the box that they must not leave [m].</param>
         public static void Jitter(List<Vector3> positions, double deviation, int seed, Vector3 inside)
         {
-            if (deviation <= 0.0)
-                return;
+            if (deviation <= 0.0) return;
             var random = new System.Random(seed);
             for (int i = 0; i < positions.Count; i++)
             {
@@ -66,7 +65,9 @@ namespace SphFluid.Validation
         {
             var particles = new FluidParticle[positions.Count];
             for (int i = 0; i < particles.Length; i++)
+            {
                 particles[i] = new FluidParticle(positions[i], velocity?.Invoke(positions[i]) ?? Vector3.zero, (uint)i);
+            }
             return particles;
         }
 

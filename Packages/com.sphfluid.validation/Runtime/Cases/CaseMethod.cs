@@ -6,7 +6,8 @@ namespace SphFluid.Validation
     /// <summary>A method under its name on the command line and in tables.</summary>
     public sealed class CaseMethod
     {
-        CaseMethod(string name, string title, FluidMethodKind kind, double supportRatio, bool feelsWalls = false, bool hasTension = false)
+        private CaseMethod(string name, string title, FluidMethodKind kind, double supportRatio, bool feelsWalls = false,
+            bool hasTension = false)
         {
             Name = name;
             Title = title;
@@ -52,8 +53,7 @@ namespace SphFluid.Validation
         {
             foreach (CaseMethod method in All)
             {
-                if (method.Kind == kind)
-                    return method;
+                if (method.Kind == kind) return method;
             }
             throw new ArgumentException($"There is no method {kind}.", nameof(kind));
         }
@@ -64,8 +64,7 @@ namespace SphFluid.Validation
         {
             foreach (CaseMethod method in All)
             {
-                if (method.Name == name)
-                    return method;
+                if (method.Name == name) return method;
             }
             throw new ArgumentException($"There is no method '{name}'.", nameof(name));
         }

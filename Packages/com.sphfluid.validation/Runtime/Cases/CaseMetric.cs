@@ -2,7 +2,9 @@ using System.Collections.Generic;
 
 namespace SphFluid.Validation
 {
-    /// <summary>Watches one run of a case and measures its error. It sees snapshots and readings only, so that it can be tested on exact solutions.</summary>
+    /// <summary>
+    /// Watches one run of a case and measures its error. It sees snapshots and readings only, so that it can be tested on exact solutions.
+    /// </summary>
     public abstract class CaseMetric
     {
         /// <summary>Why the run can be stopped before its end; null while it goes on well.</summary>

@@ -29,15 +29,16 @@ namespace SphFluid.Validation
         /// <param name="resolution">Particles along the case's length.</param>
         /// <param name="soundSpeedRatio">Speed of sound over the case's own speed.</param>
         /// <param name="jitter">Standard deviation of the start's jitter over dx.</param>
-        public static CaseParameters At(CaseMethod method, int resolution, double soundSpeedRatio, double jitter = 0.01) => new CaseParameters
-        {
-            Method = method,
-            Resolution = resolution,
-            SupportRatio = method.SupportRatio,
-            TimeStepFraction = 0.75,
-            SoundSpeedRatio = soundSpeedRatio,
-            Seed = 1,
-            Jitter = jitter,
-        };
+        public static CaseParameters At(CaseMethod method, int resolution, double soundSpeedRatio, double jitter = 0.01) =>
+            new CaseParameters
+            {
+                Method = method,
+                Resolution = resolution,
+                SupportRatio = method.SupportRatio,
+                TimeStepFraction = 0.75,
+                SoundSpeedRatio = soundSpeedRatio,
+                Seed = 1,
+                Jitter = jitter,
+            };
     }
 }

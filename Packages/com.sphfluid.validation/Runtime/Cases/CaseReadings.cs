@@ -12,7 +12,8 @@ namespace SphFluid.Validation
 
         /// <summary>Readings at a sample.</summary>
         /// <param name="bodies">Where the origins of the set-up's bodies are [m], in the set-up's order.</param>
-        /// <param name="pressures">Mean pressures on the set-up's patches since the last sample [Pa], in the set-up's order; null for none.</param>
+        /// <param name="pressures">Mean pressures on the set-up's patches since the last sample [Pa], in the set-up's order; null for
+        /// none.</param>
         public CaseReadings(IReadOnlyList<Vector3> bodies, IReadOnlyList<double> pressures = null)
         {
             Bodies = bodies;
@@ -20,12 +21,14 @@ namespace SphFluid.Validation
         }
 
         /// <summary>
-        /// Force per area on <see cref="CaseSetup.Patches"/> over the time since the sample before [Pa], in their order; not numbers at the first
-        /// sample; empty where the method does not measure it.
+        /// Force per area on <see cref="CaseSetup.Patches"/> over the time since the sample before [Pa], in their order; not numbers at the
+        /// first sample; empty where the method does not measure it.
         /// </summary>
         public IReadOnlyList<double> Pressures { get; }
 
-        /// <summary>Where the origins of <see cref="CaseSetup.Bodies"/> are [m], simulation space, in their order. None of them turns.</summary>
+        /// <summary>
+        /// Where the origins of <see cref="CaseSetup.Bodies"/> are [m], simulation space, in their order. None of them turns.
+        /// </summary>
         public IReadOnlyList<Vector3> Bodies { get; }
     }
 }

@@ -10,19 +10,19 @@ namespace SphFluid.Validation
     /// </summary>
     public sealed class CaseRun : IDisposable
     {
-        const int EngineFramesToWait = 400;
+        private const int EngineFramesToWait = 400;
 
-        readonly CaseSetup setup;
-        readonly CaseMetric metric;
-        readonly bool timed;
-        readonly CaseSchedule schedule;
-        readonly CaseFailure failures;
-        readonly CaseObstacles obstacles;
-        readonly CaseBodies bodies;
-        readonly CaseWalls walls;
-        readonly FluidSolver solver;
-        CaseStepper stepper;
-        bool disposed;
+        private readonly CaseSetup setup;
+        private readonly CaseMetric metric;
+        private readonly bool timed;
+        private readonly CaseSchedule schedule;
+        private readonly CaseFailure failures;
+        private readonly CaseObstacles obstacles;
+        private readonly CaseBodies bodies;
+        private readonly CaseWalls walls;
+        private readonly FluidSolver solver;
+        private CaseStepper stepper;
+        private bool disposed;
 
         /// <summary>A run that has not begun.</summary>
         /// <param name="setup">What to run.</param>
@@ -74,8 +74,7 @@ namespace SphFluid.Validation
                     stepper.Restart();
                 }
                 stepper.Collect();
-                if (failure != null || solver.StepCount < due)
-                    continue;
+                if (failure != null || solver.StepCount < due) continue;
                 failure = Sample();
                 due = schedule.Next(due);
             }
@@ -88,7 +87,9 @@ namespace SphFluid.Validation
         public CaseResult RunToEnd()
         {
             if (timed)
+            {
                 throw new InvalidOperationException("GPU times need frames of the engine: go through Run, or make the run without times.");
+            }
             new SessionWork(Run()).Finish();
             return Result;
         }
@@ -96,8 +97,7 @@ namespace SphFluid.Validation
         /// <summary>Frees the GPU memory.</summary>
         public void Dispose()
         {
-            if (disposed)
-                return;
+            if (disposed) return;
             disposed = true;
             stepper?.Dispose();
             solver.Dispose();
@@ -105,7 +105,7 @@ namespace SphFluid.Validation
         }
 
         // Shows the state to the metric; why the run ends here, or null.
-        string Sample()
+        private string Sample()
         {
             FluidSnapshot state = FluidSnapshot.Read(solver);
             var readings = new CaseReadings(bodies.Read(solver.SimulatedTime), walls.Read());
@@ -119,20 +119,21 @@ namespace SphFluid.Validation
             return failure;
         }
 
-        IEnumerator WaitForTimes()
+        private IEnumerator WaitForTimes()
         {
             for (int waited = 0; !stepper.Collect(); waited++)
             {
                 if (waited == EngineFramesToWait)
                 {
-                    throw new FluidDeviceException($"{SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType}) gave no GPU times within " +
+                    throw new FluidDeviceException(
+                        $"{SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType}) gave no GPU times within " +
                         $"{EngineFramesToWait} frames. Run it with Direct3D 11 or 12, outside a frame debugger.");
                 }
                 yield return null;
             }
         }
 
-        CaseResult End(string failure)
+        private CaseResult End(string failure)
         {
             var result = new CaseResult
             {
@@ -147,8 +148,7 @@ namespace SphFluid.Validation
                 GpuMsPerSecond = stepper.GpuTimes.Median / setup.Settings.TimeStep,
                 CpuMsPerSecond = stepper.CpuMilliseconds / setup.Settings.TimeStep,
             };
-            if (failure == null)
-                result.Errors = metric.Evaluate();
+            if (failure == null) result.Errors = metric.Evaluate();
             return result;
         }
     }

@@ -8,7 +8,7 @@ namespace SphFluid.Validation
     /// </summary>
     public sealed class CaseSchedule
     {
-        readonly double interval;
+        private readonly double interval;
 
         /// <summary>Samples of a run.</summary>
         /// <param name="duration">Length of the run [s].</param>
@@ -41,10 +41,13 @@ namespace SphFluid.Validation
             return Math.Min(next, LastStep);
         }
 
-        static void Require(double value, string name)
+        private static void Require(double value, string name)
         {
             if (!(value > 0.0) || double.IsInfinity(value))
-                throw new ArgumentException(FormattableString.Invariant($"The run's {name} is {value} s; it must be a positive number of seconds."));
+            {
+                throw new ArgumentException(
+                    FormattableString.Invariant($"The run's {name} is {value} s; it must be a positive number of seconds."));
+            }
         }
     }
 }

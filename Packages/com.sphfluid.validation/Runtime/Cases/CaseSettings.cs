@@ -15,7 +15,8 @@ namespace SphFluid.Validation
         /// <param name="spacing">dx [m].</param>
         /// <param name="speed">The case's own speed U [m/s]: c = ratio · U exactly.</param>
         /// <param name="gravity">Gravity [m/s²].</param>
-        /// <param name="viscosity">ν [m²/s] exactly, in steps as short as that takes; null: water's, or the least that the method needs.</param>
+        /// <param name="viscosity">ν [m²/s] exactly, in steps as short as that takes; null: water's, or the least that the method
+        /// needs.</param>
         /// <param name="boundaries">Periodic axes and walls.</param>
         /// <param name="tension">Surface tension σ [N/m], for methods that have it.</param>
         /// <exception cref="ArgumentException">They cannot be computed with, for instance a periodic axis too short for κ.</exception>
@@ -42,25 +43,28 @@ namespace SphFluid.Validation
                 input.KinematicViscosity = (float)viscosity.Value;
                 input.ViscosityRatio = 0f;
             }
-            if (parameters.Method.Kind == FluidMethodKind.Robust)
-                input = WithSubsteps(input, speed);
+            if (parameters.Method.Kind == FluidMethodKind.Robust) input = WithSubsteps(input, speed);
             FluidSolverSettings settings = FluidRules.Derive(input);
             if (viscosity > 0.0)
-                settings.TimeStep = (float)(settings.TimeStep * Math.Min(1.0, FluidRules.ActingViscosity(settings, settings.TimeStep) / viscosity.Value));
+            {
+                settings.TimeStep =
+                    (float)(settings.TimeStep * Math.Min(1.0, FluidRules.ActingViscosity(settings, settings.TimeStep) / viscosity.Value));
+            }
             settings.OctantSearch = false; // the same pairs, faster
-            if (parameters.Method.Kind == FluidMethodKind.ThesisPrinted)
-                settings = settings.With(ThesisSwitches.Printed);
+            if (parameters.Method.Kind == FluidMethodKind.ThesisPrinted) settings = settings.With(ThesisSwitches.Printed);
             settings.Boundaries = boundaries;
             settings.Validate();
             return settings;
         }
 
         /// <summary>Speed of sound that the liquid has in its steps [m/s].</summary>
-        internal static double EffectiveSoundSpeed(in FluidSolverSettings settings) => FluidRules.EffectiveSoundSpeed(settings, settings.TimeStep, settings.MaxSpeed);
+        internal static double EffectiveSoundSpeed(in FluidSolverSettings settings) =>
+            FluidRules.EffectiveSoundSpeed(settings, settings.TimeStep, settings.MaxSpeed);
 
-        // A frame of the method Robust is its four substeps, and twelve steps of the Standard method at the same fraction and speed of sound: at 60 frames
-        // a second that is a frame of liquid at 4 m/s and dx = 2 cm. Its iterations carry liquid of the depth of which U is √(g D).
-        static FluidRuleInput WithSubsteps(FluidRuleInput input, double speed)
+        // A frame of the method Robust is its four substeps, and twelve steps of the Standard method at the same fraction and speed of
+        // sound: at 60 frames a second that is a frame of liquid at 4 m/s and dx = 2 cm. Its iterations carry liquid of the depth of which
+        // U is √(g D).
+        private static FluidRuleInput WithSubsteps(FluidRuleInput input, double speed)
         {
             FluidRuleInput standard = input;
             standard.Method = FluidMethodKind.Standard;

@@ -24,7 +24,10 @@ namespace SphFluid.Validation
         /// <summary>Bodies that move, in an order that the metric knows; empty for none.</summary>
         public IReadOnlyList<CaseBody> Bodies = System.Array.Empty<CaseBody>();
 
-        /// <summary>Rectangles of walls whose mean pressure the metric is told, in an order that it knows, where the method measures the force on walls; empty for none.</summary>
+        /// <summary>
+        /// Rectangles of walls whose mean pressure the metric is told, in an order that it knows, where the method measures the force on
+        /// walls; empty for none.
+        /// </summary>
         public IReadOnlyList<CasePatch> Patches = System.Array.Empty<CasePatch>();
 
         /// <summary>True: the faces of the domain are out of the liquid's reach, and liquid that comes there is lost.</summary>

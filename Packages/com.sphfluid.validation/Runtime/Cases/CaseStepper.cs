@@ -11,24 +11,24 @@ namespace SphFluid.Validation
     /// Does a run's steps in submissions of bounded length and takes their GPU and CPU times. What the metric's samples cost is not in
     /// them; the neighbour setup that a sample needs is, as the next step finds it done: n steps have n of them.
     /// </summary>
-    sealed class CaseStepper : IDisposable
+    internal sealed class CaseStepper : IDisposable
     {
-        // One submission: bounded so that no driver takes it for a hang, and a run can be stopped. By expected work and not by the clock: lists of
-        // neighbours serve until a submission ends, so equal runs that were cut at other steps would differ in their last digits, and then in more.
-        // In particle-steps at κ = 2, of which llvmpipe on two cores does a million a second.
-        const double SoftwareWork = 0.25e6, CardWork = 8e6, StepOverhead = 1000.0;
-        const int MostStepsAtOnce = 512;
+        // One submission: bounded so that no driver takes it for a hang, and a run can be stopped. By expected work and not by the clock:
+        // lists of neighbours serve until a submission ends, so equal runs that were cut at other steps would differ in their last digits,
+        // and then in more. In particle-steps at κ = 2, of which llvmpipe on two cores does a million a second.
+        private const double SoftwareWork = 0.25e6, CardWork = 8e6, StepOverhead = 1000.0;
+        private const int MostStepsAtOnce = 512;
 
-        static readonly ProfilerMarker marker = ComputeKernel.CreateMarker(FrameBlocks.Frame);
+        private static readonly ProfilerMarker marker = ComputeKernel.CreateMarker(FrameBlocks.Frame);
 
-        readonly FluidSolver solver;
-        readonly CaseBodies bodies;
-        readonly GpuClock clock;
-        readonly CommandBuffer cmd = new CommandBuffer { name = "Validation Case" };
-        readonly Stopwatch recording = new Stopwatch();
-        readonly List<int> counts = new List<int>(); // steps of each submission
-        bool begun;
-        long steps;
+        private readonly FluidSolver solver;
+        private readonly CaseBodies bodies;
+        private readonly GpuClock clock;
+        private readonly CommandBuffer cmd = new CommandBuffer { name = "Validation Case" };
+        private readonly Stopwatch recording = new Stopwatch();
+        private readonly List<int> counts = new List<int>(); // steps of each submission
+        private bool begun;
+        private long steps;
 
         /// <param name="solver">The solver, with fresh neighbours.</param>
         /// <param name="timed">Whether GPU times are taken.</param>
@@ -57,7 +57,8 @@ namespace SphFluid.Validation
         public FluidCounters Step(long requested)
         {
             // The first step also builds pipelines, and is submitted alone.
-            int count = (int)Math.Min(requested, begun ? MostAtOnce(solver.Settings, solver.ParticleCount, FluidSupport.IsSoftwareDevice) : 1);
+            int count =
+                (int)Math.Min(requested, begun ? MostAtOnce(solver.Settings, solver.ParticleCount, FluidSupport.IsSoftwareDevice) : 1);
             begun = true;
             recording.Start();
             bodies?.MoveTo(solver.SimulatedTime + count * (double)solver.Settings.TimeStep);

@@ -20,14 +20,15 @@ namespace SphFluid.Validation
         /// <summary>Fastest speed of the steady flow [m/s].</summary>
         protected const double MaxSpeed = 0.1;
 
-        const double Interval = 2.0;
-        static readonly double[] Times = { 2.0, 10.0, 20.0, 100.0 };
+        private const double Interval = 2.0;
+        private static readonly double[] Times = { 2.0, 10.0, 20.0, 100.0 };
 
         /// <summary>False: the thesis's own walls, which have no friction.</summary>
         public bool NoSlip { get; set; } = true;
 
         /// <inheritdoc/>
-        public override string Source => "series solutions (Morris, Fox and Zhu 1997); the walls without slip are an option of the solver, not the thesis's";
+        public override string Source =>
+            "series solutions (Morris, Fox and Zhu 1997); the walls without slip are an option of the solver, not the thesis's";
 
         /// <inheritdoc/>
         public override string ErrorName => ChannelMetric.ErrorName;
@@ -46,9 +47,9 @@ namespace SphFluid.Validation
             int width = WallCaseSetup.PeriodicCount(parameters);
             var domain = new Vector3((float)(width * dx), (float)Gap, (float)(width * dx));
             var boundaries = new FluidBoundaries { Periodic = FluidAxes.X | FluidAxes.Z, NoSlip = NoSlip };
-            if (NoSlip)
-                boundaries.HighY = new Vector3((float)UpperWall, 0f, 0f);
-            FluidSolverSettings settings = CaseSettings.For(parameters, domain, dx, MaxSpeed, new Vector3((float)Force, 0f, 0f), Viscosity, boundaries);
+            if (NoSlip) boundaries.HighY = new Vector3((float)UpperWall, 0f, 0f);
+            FluidSolverSettings settings =
+                CaseSettings.For(parameters, domain, dx, MaxSpeed, new Vector3((float)Force, 0f, 0f), Viscosity, boundaries);
             List<Vector3> positions = CaseLattice.Box(new Vector3Int(width, parameters.Resolution, width), dx, -0.5f * domain);
             return new CaseSetup
             {

@@ -17,13 +17,14 @@ namespace SphFluid.Validation
         /// <returns>u [m/s].</returns>
         public static double Poiseuille(double y, double t, double gap, double viscosity, double force)
         {
-            if (t <= 0.0)
-                return 0.0;
+            if (t <= 0.0) return 0.0;
             double u = 0.5 * force * y * (gap - y) / viscosity;
             double scale = 4.0 * force * gap * gap / (viscosity * Math.PI * Math.PI * Math.PI);
             int terms = Terms(t, gap, viscosity);
             for (int n = 1; n <= terms; n += 2)
+            {
                 u -= scale / ((double)n * n * n) * Math.Sin(n * Math.PI * y / gap) * Decay(n, t, gap, viscosity);
+            }
             return u;
         }
 
@@ -36,8 +37,7 @@ namespace SphFluid.Validation
         /// <returns>u [m/s].</returns>
         public static double Couette(double y, double t, double gap, double viscosity, double speed)
         {
-            if (t <= 0.0)
-                return y < gap ? 0.0 : speed;
+            if (t <= 0.0) return y < gap ? 0.0 : speed;
             double u = speed * y / gap;
             int terms = Terms(t, gap, viscosity);
             for (int n = 1; n <= terms; n++)
@@ -48,11 +48,11 @@ namespace SphFluid.Validation
             return u;
         }
 
-        static double Decay(int n, double t, double gap, double viscosity) =>
+        private static double Decay(int n, double t, double gap, double viscosity) =>
             Math.Exp(-n * (double)n * Math.PI * Math.PI * viscosity * t / (gap * gap));
 
         // The terms beyond are below e^-40 of the first.
-        static int Terms(double t, double gap, double viscosity) =>
+        private static int Terms(double t, double gap, double viscosity) =>
             (int)Math.Min(1e5, 2.0 + Math.Sqrt(40.0 / (Math.PI * Math.PI * viscosity * t)) * gap);
     }
 }

@@ -6,24 +6,25 @@ namespace SphFluid.Validation
     /// <summary>Holds the particles' velocities along x against a profile over y at given times.</summary>
     public sealed class ChannelMetric : CaseMetric
     {
-        const int ReferencePoints = 41;
+        private const int ReferencePoints = 41;
 
-        readonly double gap, maxSpeed, interval;
-        readonly int bins;
-        readonly Func<double, double, double> reference;
-        readonly double[] times;
-        readonly double[] errors;
-        readonly double[] relative;
-        readonly double[] across;
-        readonly List<CaseSeries> series = new List<CaseSeries>();
-        int taken;
+        private readonly double gap, maxSpeed, interval;
+        private readonly int bins;
+        private readonly Func<double, double, double> reference;
+        private readonly double[] times;
+        private readonly double[] errors;
+        private readonly double[] relative;
+        private readonly double[] across;
+        private readonly List<CaseSeries> series = new List<CaseSeries>();
+        private int taken;
 
         /// <summary>A metric for one run.</summary>
         /// <param name="gap">Distance of the walls, y = −gap/2 and gap/2 [m].</param>
         /// <param name="maxSpeed">Fastest speed of the flow [m/s]: the unit of the errors.</param>
         /// <param name="reference">u [m/s] at a distance from the lower wall [m] and a time [s].</param>
         /// <param name="times">Times at which it is measured [s], ascending.</param>
-        /// <param name="interval">Time between samples [s]: the sample nearest to each time counts, with the reference at its own time.</param>
+        /// <param name="interval">Time between samples [s]: the sample nearest to each time counts, with the reference at its own
+        /// time.</param>
         /// <param name="bins">Points of the measured curves.</param>
         public ChannelMetric(double gap, double maxSpeed, Func<double, double, double> reference, double[] times, double interval, int bins)
         {
@@ -41,8 +42,7 @@ namespace SphFluid.Validation
         /// <inheritdoc/>
         public override void Sample(double time, FluidSnapshot state)
         {
-            if (taken == times.Length || time < times[taken] - 0.5 * interval)
-                return;
+            if (taken == times.Length || time < times[taken] - 0.5 * interval) return;
             double squares = 0.0, crossing = 0.0, exact = 0.0;
             var sums = new double[bins];
             var counts = new int[bins];
@@ -65,7 +65,9 @@ namespace SphFluid.Validation
             taken++;
         }
 
-        /// <summary>The largest error of the times, then each; the last over the exact profile's own norm; the flow across the channel.</summary>
+        /// <summary>
+        /// The largest error of the times, then each; the last over the exact profile's own norm; the flow across the channel.
+        /// </summary>
         public override IReadOnlyList<CaseError> Evaluate()
         {
             bool all = taken == times.Length;
@@ -88,7 +90,7 @@ namespace SphFluid.Validation
 
         internal const string ErrorName = "profile, largest L2/u_max";
 
-        void AddCurves(double time, double[] sums, int[] counts)
+        private void AddCurves(double time, double[] sums, int[] counts)
         {
             var exact = new CaseSeries($"exact, t = {times[taken]:0.##} s", true);
             for (int i = 0; i < ReferencePoints; i++)
@@ -99,8 +101,7 @@ namespace SphFluid.Validation
             var measured = new CaseSeries($"t = {times[taken]:0.##} s");
             for (int b = 0; b < bins; b++)
             {
-                if (counts[b] > 0)
-                    measured.Add((b + 0.5) / bins, sums[b] / counts[b] / maxSpeed);
+                if (counts[b] > 0) measured.Add((b + 0.5) / bins, sums[b] / counts[b] / maxSpeed);
             }
             series.Add(exact);
             series.Add(measured);

@@ -12,12 +12,12 @@ namespace SphFluid.Validation
     /// </summary>
     public sealed class DamBreakCase : ValidationCase
     {
-        const double Gravity = 9.81;
-        const double TankLength = 7.0, TankHeight = 3.0; // over a
-        const double LastTime = 3.9; // in T: the last point, the largest shift and a sample
+        private const double Gravity = 9.81;
+        private const double TankLength = 7.0, TankHeight = 3.0; // over a
+        private const double LastTime = 3.9; // in T: the last point, the largest shift and a sample
 
         // In T. The front turns by less than 1e-3 a from the straight line between two samples.
-        const double Interval = 0.05;
+        private const double Interval = 0.05;
 
         /// <inheritdoc/>
         public override string Name => "dam-break";
@@ -44,7 +44,8 @@ namespace SphFluid.Validation
         public override double Floor => MartinMoyce.Floor;
 
         /// <inheritdoc/>
-        public override string Caution => "The raw error ranks methods backwards: the experiment's gate holds the front back by about 0.2 in T, " +
+        public override string Caution =>
+            "The raw error ranks methods backwards: the experiment's gate holds the front back by about 0.2 in T, " +
             "and a method that loses energy imitates the delay. Compare shifted errors, and none below the experiment's own 4 %.";
 
         /// <inheritdoc/>
@@ -78,7 +79,7 @@ namespace SphFluid.Validation
         public override CaseMetric CreateMetric(in CaseParameters parameters, CaseSetup setup) =>
             new DamBreakMetric(setup.Settings, MartinMoyce.Width, WallCaseSetup.PeriodicCount(parameters));
 
-        static FluidParticle[] Column(in CaseParameters parameters, in FluidSolverSettings settings, int rows, double dx)
+        private static FluidParticle[] Column(in CaseParameters parameters, in FluidSolverSettings settings, int rows, double dx)
         {
             var random = new System.Random(parameters.Seed);
             int wide = parameters.Resolution, layer = wide * rows;

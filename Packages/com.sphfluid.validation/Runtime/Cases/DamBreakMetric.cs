@@ -14,10 +14,14 @@ namespace SphFluid.Validation
         /// <summary>The front is sought among particles less than this high over the floor, over dx.</summary>
         public const double FloorBand = 3.0;
 
-        /// <summary>The height is that of particles less than this far from the closed end, over dx; a film on the wall is nearer too.</summary>
+        /// <summary>
+        /// The height is that of particles less than this far from the closed end, over dx; a film on the wall is nearer too.
+        /// </summary>
         public const double EndBand = 2.0;
 
-        /// <summary>The height beside the film is that of particles from <see cref="EndBand"/> to this far from the closed end, over dx.</summary>
+        /// <summary>
+        /// The height beside the film is that of particles from <see cref="EndBand"/> to this far from the closed end, over dx.
+        /// </summary>
         public const double BesideBand = 6.0;
 
         /// <summary>Largest time shift that is tried, in T.</summary>
@@ -29,15 +33,15 @@ namespace SphFluid.Validation
         internal const string ErrorName = "front, shifted RMS", RawName = "front, raw RMS";
 
         // T = 0.41 is left out: the gate has hardly left. The slope is that of the steady part, T ≥ 1.43.
-        const int FirstPoint = 1, FirstSlopePoint = 3;
+        private const int FirstPoint = 1, FirstSlopePoint = 3;
 
-        readonly FluidSolverSettings settings;
-        readonly double width;
-        readonly int slabRows;
-        readonly SampledCurve front = new SampledCurve();
-        readonly SampledCurve height = new SampledCurve();
-        readonly SampledCurve beside = new SampledCurve();
-        readonly List<double> distances = new List<double>();
+        private readonly FluidSolverSettings settings;
+        private readonly double width;
+        private readonly int slabRows;
+        private readonly SampledCurve front = new SampledCurve();
+        private readonly SampledCurve height = new SampledCurve();
+        private readonly SampledCurve beside = new SampledCurve();
+        private readonly List<double> distances = new List<double>();
 
         /// <summary>A metric for one run.</summary>
         /// <param name="settings">The run's constants; gravity along −y.</param>
@@ -50,7 +54,7 @@ namespace SphFluid.Validation
             this.slabRows = slabRows;
         }
 
-        double ClockRate => Math.Sqrt(-settings.Gravity.y / width);
+        private double ClockRate => Math.Sqrt(-settings.Gravity.y / width);
 
         /// <inheritdoc/>
         public override void Sample(double time, FluidSnapshot state)
@@ -83,38 +87,40 @@ namespace SphFluid.Validation
         public override IReadOnlyList<CaseSeries> Series()
         {
             var fronts = new CaseSeries("Z, Martin and Moyce", true);
-            for (int i = 0; i < MartinMoyce.Fronts.Length; i++)
-                fronts.Add(MartinMoyce.FrontTimes[i], MartinMoyce.Fronts[i]);
+            for (int i = 0; i < MartinMoyce.Fronts.Length; i++) fronts.Add(MartinMoyce.FrontTimes[i], MartinMoyce.Fronts[i]);
             var heights = new CaseSeries("h, Martin and Moyce", true);
             for (int i = 0; i < MartinMoyce.Heights.Length; i++)
+            {
                 heights.Add(MartinMoyce.HeightTimes[i] * Math.Sqrt(2.0), MartinMoyce.Heights[i]);
+            }
             var result = new List<CaseSeries> { fronts, heights, front.ToSeries("Z, raw", 1.0, 0.0) };
             double shift = Shift();
             if (!double.IsNaN(shift))
+            {
                 result.Add(front.ToSeries(FormattableString.Invariant($"Z, shifted by {-shift:+0.00;-0.00;0.00}"), 1.0, -shift));
+            }
             result.Add(height.ToSeries("h", Math.Sqrt(2.0), 0.0));
             return result;
         }
 
         // How far liquid reaches from the low face of one axis, of the particles in a band at the low face of another [m].
-        double Reach(FluidSnapshot state, int along, int near, double from, double to, double row)
+        private double Reach(FluidSnapshot state, int along, int near, double from, double to, double row)
         {
             Vector3 low = -0.5f * settings.DomainSize;
             distances.Clear();
             foreach (Vector3 position in state.LocalPositions)
             {
                 double depth = ((double)position[near] - low[near]) / settings.Spacing;
-                if (depth >= from && depth < to)
-                    distances.Add((double)position[along] - low[along]);
+                if (depth >= from && depth < to) distances.Add((double)position[along] - low[along]);
             }
             return LiquidReach.Of(distances, (int)row, settings.Spacing).Edge;
         }
 
-        double Shift() => TimeShiftFit.Best(front, MartinMoyce.FrontTimes, MartinMoyce.Fronts, FirstPoint, LargestShift);
+        private double Shift() => TimeShiftFit.Best(front, MartinMoyce.FrontTimes, MartinMoyce.Fronts, FirstPoint, LargestShift);
 
-        double Rms(double shift) => TimeShiftFit.RelativeRms(front, MartinMoyce.FrontTimes, MartinMoyce.Fronts, FirstPoint, shift);
+        private double Rms(double shift) => TimeShiftFit.RelativeRms(front, MartinMoyce.FrontTimes, MartinMoyce.Fronts, FirstPoint, shift);
 
-        double Slope(double shift)
+        private double Slope(double shift)
         {
             LineFit run = new LineFit(), experiment = new LineFit();
             for (int i = FirstSlopePoint; i < MartinMoyce.Fronts.Length; i++)
@@ -125,7 +131,7 @@ namespace SphFluid.Validation
             return run.Slope / experiment.Slope - 1.0;
         }
 
-        static double LargestError(SampledCurve height)
+        private static double LargestError(SampledCurve height)
         {
             double largest = 0.0;
             for (int i = 0; i < MartinMoyce.Heights.Length && MartinMoyce.HeightTimes[i] <= LastHeightTime; i++)

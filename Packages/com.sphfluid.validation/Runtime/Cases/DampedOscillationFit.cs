@@ -6,12 +6,12 @@ namespace SphFluid.Validation
     /// <summary>The function C + e^(−γt) (A cos ωt + B sin ωt) of least squares through samples.</summary>
     public sealed class DampedOscillationFit
     {
-        const int FrequencySteps = 90;
-        const int RateSteps = 30;
-        const double LowestFrequency = 0.25, HighestFrequency = 2.5; // over the expected one
-        const double LowestRate = -0.2, HighestRate = 1.0;           // over the expected frequency
+        private const int FrequencySteps = 90;
+        private const int RateSteps = 30;
+        private const double LowestFrequency = 0.25, HighestFrequency = 2.5; // over the expected one
+        private const double LowestRate = -0.2, HighestRate = 1.0;           // over the expected frequency
 
-        DampedOscillationFit()
+        private DampedOscillationFit()
         {
         }
 
@@ -45,8 +45,7 @@ namespace SphFluid.Validation
         public static DampedOscillationFit Of(IReadOnlyList<double> times, IReadOnlyList<double> values, double expectedFrequency)
         {
             double variance = Variance(values, out double mean);
-            if (values.Count < 8 || !(variance > 1e-20 * mean * mean) || double.IsInfinity(variance))
-                return null;
+            if (values.Count < 8 || !(variance > 1e-20 * mean * mean) || double.IsInfinity(variance)) return null;
 
             double stepW = (HighestFrequency - LowestFrequency) / FrequencySteps * expectedFrequency;
             double stepG = (HighestRate - LowestRate) / RateSteps * expectedFrequency;
@@ -54,15 +53,16 @@ namespace SphFluid.Validation
             for (int i = 0; i <= FrequencySteps; i++)
             {
                 for (int j = 0; j <= RateSteps; j++)
+                {
                     Try(LowestFrequency * expectedFrequency + i * stepW, LowestRate * expectedFrequency + j * stepG);
+                }
             }
             while (stepW > 1e-9 * expectedFrequency)
             {
                 double before = best, centreW = bestW, centreG = bestG;
                 for (int i = -1; i <= 1; i++)
                 {
-                    for (int j = -1; j <= 1; j++)
-                        Try(centreW + i * stepW, centreG + j * stepG);
+                    for (int j = -1; j <= 1; j++) Try(centreW + i * stepW, centreG + j * stepG);
                 }
                 if (!(best < before))
                 {
@@ -71,8 +71,7 @@ namespace SphFluid.Validation
                 }
             }
             bool inside = bestW > LowestFrequency * expectedFrequency && bestW < HighestFrequency * expectedFrequency;
-            if (!inside || !(best < 0.5 * values.Count * variance))
-                return null;
+            if (!inside || !(best < 0.5 * values.Count * variance)) return null;
             double[] c = Linear(times, values, bestW, bestG, out _);
             return new DampedOscillationFit
             {
@@ -95,7 +94,7 @@ namespace SphFluid.Validation
         }
 
         // A, B, C and the sum of the squares left, by the normal equations.
-        static double[] Linear(IReadOnlyList<double> times, IReadOnlyList<double> values, double w, double g, out double squares)
+        private static double[] Linear(IReadOnlyList<double> times, IReadOnlyList<double> values, double w, double g, out double squares)
         {
             var matrix = new double[3, 4];
             var basis = new double[3];
@@ -104,8 +103,7 @@ namespace SphFluid.Validation
                 Basis(times[s], w, g, basis);
                 for (int i = 0; i < 3; i++)
                 {
-                    for (int j = 0; j < 3; j++)
-                        matrix[i, j] += basis[i] * basis[j];
+                    for (int j = 0; j < 3; j++) matrix[i, j] += basis[i] * basis[j];
                     matrix[i, 3] += basis[i] * values[s];
                 }
             }
@@ -120,7 +118,7 @@ namespace SphFluid.Validation
             return c;
         }
 
-        static void Basis(double t, double w, double g, double[] basis)
+        private static void Basis(double t, double w, double g, double[] basis)
         {
             double decay = Math.Exp(-g * t);
             basis[0] = decay * Math.Cos(w * t);
@@ -128,14 +126,12 @@ namespace SphFluid.Validation
             basis[2] = 1.0;
         }
 
-        static double Variance(IReadOnlyList<double> values, out double mean)
+        private static double Variance(IReadOnlyList<double> values, out double mean)
         {
             mean = 0.0;
             double squares = 0.0;
-            foreach (double value in values)
-                mean += value / values.Count;
-            foreach (double value in values)
-                squares += (value - mean) * (value - mean) / values.Count;
+            foreach (double value in values) mean += value / values.Count;
+            foreach (double value in values) squares += (value - mean) * (value - mean) / values.Count;
             return squares;
         }
     }

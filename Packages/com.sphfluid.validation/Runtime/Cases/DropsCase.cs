@@ -11,12 +11,12 @@ namespace SphFluid.Validation
     /// </summary>
     public sealed class DropsCase : ValidationCase
     {
-        const double Radius = 1.0;
-        const double Speed = 1.0; // of each
-        const double Gap = 1.0; // between the surfaces, over the radius: 8 dx, 3.5 R at the base
-        const double Samples = 40.0; // in D/U
-        const double HalfLength = 3.0, HalfWidth = 7.0; // of the domain, over the radius
-        const double SpeedLimit = 10.0; // the sheet between the drops starts at several times their speed
+        private const double Radius = 1.0;
+        private const double Speed = 1.0; // of each
+        private const double Gap = 1.0; // between the surfaces, over the radius: 8 dx, 3.5 R at the base
+        private const double Samples = 40.0; // in D/U
+        private const double HalfLength = 3.0, HalfWidth = 7.0; // of the domain, over the radius
+        private const double SpeedLimit = 10.0; // the sheet between the drops starts at several times their speed
 
         /// <inheritdoc/>
         public override string Name => "drops";
@@ -77,6 +77,6 @@ namespace SphFluid.Validation
             new DropsMetric(setup.Settings, Speed, 2.0 * Radius, ContactTime);
 
         // Each drop flies half of the gap.
-        static double ContactTime => 0.5 * Gap * Radius / Speed;
+        private static double ContactTime => 0.5 * Gap * Radius / Speed;
     }
 }

@@ -13,15 +13,15 @@ namespace SphFluid.Validation
         internal const string ErrorName = "momentum of a drop, RMS over D/U";
         internal const string GrowthName = "largest E/E0 − 1";
 
-        readonly FluidSolverSettings settings;
-        readonly double speed, diameter, contact;
-        readonly List<double> times = new List<double>();
-        readonly List<double> momenta = new List<double>();
-        readonly MomentumMetric momentum = new MomentumMetric();
-        readonly EnergyMetric energy;
-        readonly ParticleGapsMetric gaps;
-        double[] startCentre;
-        double shift, ovalness;
+        private readonly FluidSolverSettings settings;
+        private readonly double speed, diameter, contact;
+        private readonly List<double> times = new List<double>();
+        private readonly List<double> momenta = new List<double>();
+        private readonly MomentumMetric momentum = new MomentumMetric();
+        private readonly EnergyMetric energy;
+        private readonly ParticleGapsMetric gaps;
+        private double[] startCentre;
+        private double shift, ovalness;
 
         /// <summary>A metric for one run.</summary>
         /// <param name="settings">The run's constants.</param>
@@ -79,8 +79,7 @@ namespace SphFluid.Validation
             }
 
             startCentre = startCentre ?? centre;
-            for (int axis = 0; axis < 3; axis++)
-                shift = Math.Max(shift, Math.Abs(centre[axis] - startCentre[axis]) / settings.Spacing);
+            for (int axis = 0; axis < 3; axis++) shift = Math.Max(shift, Math.Abs(centre[axis] - startCentre[axis]) / settings.Spacing);
             ovalness = Math.Abs(Math.Sqrt(squares[1] / squares[2]) - 1.0);
             times.Add((time - contact) * speed / diameter);
             momenta.Add(closing / state.Count / speed);
@@ -123,7 +122,7 @@ namespace SphFluid.Validation
         }
 
         // Not a number where the run is shorter than D/U.
-        double Rms()
+        private double Rms()
         {
             double sum = 0.0;
             int count = 0;

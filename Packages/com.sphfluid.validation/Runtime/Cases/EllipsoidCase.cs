@@ -10,13 +10,13 @@ namespace SphFluid.Validation
     /// </summary>
     public sealed class EllipsoidCase : ValidationCase
     {
-        const double Radius = 1.0;
-        const double Rate = 1.0;
-        const double Sigma = 0.5;
-        const double Duration = 6.0; // the second maximum is at 5.6
-        const double Interval = 0.05;
-        const double HalfDomain = 2.0;
-        const double SpeedLimit = 3.0;
+        private const double Radius = 1.0;
+        private const double Rate = 1.0;
+        private const double Sigma = 0.5;
+        private const double Duration = 6.0; // the second maximum is at 5.6
+        private const double Interval = 0.05;
+        private const double HalfDomain = 2.0;
+        private const double SpeedLimit = 3.0;
 
         /// <inheritdoc/>
         public override string Name => "ellipsoid";
@@ -51,8 +51,7 @@ namespace SphFluid.Validation
             // The cut lattice has about the ball's volume; scaled it has it exactly.
             double dx = Math.Pow(4.0 / 3.0 * Math.PI / ball.Count, 1.0 / 3.0) * Radius;
             float scale = (float)(dx * parameters.Resolution / Radius);
-            for (int i = 0; i < ball.Count; i++)
-                ball[i] *= scale;
+            for (int i = 0; i < ball.Count; i++) ball[i] *= scale;
             Vector3 domain = Vector3.one * (float)(2.0 * HalfDomain * Radius);
             CaseLattice.Jitter(ball, parameters.Jitter * dx, parameters.Seed, 0.5f * domain);
             FluidSolverSettings settings = CaseSettings.For(parameters, domain, dx, Rate * Radius, Vector3.zero);

@@ -11,11 +11,11 @@ namespace SphFluid.Validation
     {
         internal const string ErrorName = "half axis, RMS over one period";
 
-        readonly EllipsoidMotion exact;
-        readonly double rate;
-        readonly List<double> times = new List<double>();
-        readonly List<double> axes = new List<double>();
-        double start;
+        private readonly EllipsoidMotion exact;
+        private readonly double rate;
+        private readonly List<double> times = new List<double>();
+        private readonly List<double> axes = new List<double>();
+        private double start;
 
         /// <summary>A metric for one run.</summary>
         /// <param name="exact">The right motion, as long as the run.</param>
@@ -37,8 +37,7 @@ namespace SphFluid.Validation
                 squares += z * z;
             }
             double axis = Math.Sqrt(5.0 * (squares / state.Count - sum * sum / ((double)state.Count * state.Count)));
-            if (times.Count == 0)
-                start = axis;
+            if (times.Count == 0) start = axis;
             times.Add(rate * time);
             axes.Add(axis / start);
         }
@@ -76,7 +75,7 @@ namespace SphFluid.Validation
         }
 
         // Trapezia; not a number where the run is shorter than a period.
-        double Rms()
+        private double Rms()
         {
             double sum = 0.0;
             for (int i = 1; i < times.Count; i++)
@@ -85,25 +84,22 @@ namespace SphFluid.Validation
                 double share = (to - from) / (times[i] - from);
                 double before = Error(i - 1), after = before + share * (Error(i) - before);
                 sum += 0.5 * (before * before + after * after) * (to - from);
-                if (times[i] >= exact.Period)
-                    return Math.Sqrt(sum / exact.Period);
+                if (times[i] >= exact.Period) return Math.Sqrt(sum / exact.Period);
             }
             return double.NaN;
         }
 
-        double Error(int i) => axes[i] - exact.AlongZ(times[i]);
+        private double Error(int i) => axes[i] - exact.AlongZ(times[i]);
 
         // Vertex of the parabola through the highest sample and its neighbours; none at the ends of the window.
-        (double Time, double Height) Maximum(double from, double to)
+        private (double Time, double Height) Maximum(double from, double to)
         {
             int best = -1;
             for (int i = 0; i < times.Count; i++)
             {
-                if (times[i] >= from && times[i] <= to && (best < 0 || axes[i] > axes[best]))
-                    best = i;
+                if (times[i] >= from && times[i] <= to && (best < 0 || axes[i] > axes[best])) best = i;
             }
-            if (best < 1 || best + 1 >= times.Count || times[best - 1] < from || times[best + 1] > to)
-                return (double.NaN, double.NaN);
+            if (best < 1 || best + 1 >= times.Count || times[best - 1] < from || times[best + 1] > to) return (double.NaN, double.NaN);
             double t0 = times[best - 1] - times[best], t2 = times[best + 1] - times[best];
             double y0 = axes[best - 1] - axes[best], y2 = axes[best + 1] - axes[best];
             // y = b t + c t²

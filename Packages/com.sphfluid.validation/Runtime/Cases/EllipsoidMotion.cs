@@ -9,9 +9,9 @@ namespace SphFluid.Validation
     /// </summary>
     public sealed class EllipsoidMotion
     {
-        const double Step = 0.0025;
+        private const double Step = 0.0025;
 
-        readonly State[] states;
+        private readonly State[] states;
 
         /// <summary>The motion from a ball.</summary>
         /// <param name="sigma">σ/ω.</param>
@@ -20,8 +20,7 @@ namespace SphFluid.Validation
         {
             states = new State[(int)Math.Ceiling(duration / Step) + 2];
             states[0] = new State(1.0, 1.0, -0.5 * sigma, sigma);
-            for (int i = 1; i < states.Length; i++)
-                states[i] = Advance(states[i - 1]);
+            for (int i = 1; i < states.Length; i++) states[i] = Advance(states[i - 1]);
             (Period, Least, Greatest) = Extremes();
         }
 
@@ -51,23 +50,24 @@ namespace SphFluid.Validation
         public double CentrePressure(double time) => 0.5 * Lambda(At(time));
 
         // One more step of the integrator from the state before: exact to its order at any time.
-        State At(double time)
+        private State At(double time)
         {
             if (!(time >= 0.0) || time > (states.Length - 1) * Step)
+            {
                 throw new ArgumentOutOfRangeException(nameof(time), time, $"The motion is known from 0 to {(states.Length - 1) * Step}.");
+            }
             int before = Math.Min((int)(time / Step), states.Length - 1);
             return Advance(states[before], time - before * Step);
         }
 
-        (double Period, double Least, double Greatest) Extremes()
+        private (double Period, double Least, double Greatest) Extremes()
         {
             double least = 1.0, greatest = 1.0, first = double.NaN, period = double.NaN;
             for (int i = 1; i < states.Length; i++)
             {
                 least = Math.Min(least, states[i].Z);
                 greatest = Math.Max(greatest, states[i].Z);
-                if (!(states[i - 1].RateZ > 0.0) || states[i].RateZ > 0.0)
-                    continue;
+                if (!(states[i - 1].RateZ > 0.0) || states[i].RateZ > 0.0) continue;
                 double peak = (i - states[i].RateZ / (states[i].RateZ - states[i - 1].RateZ)) * Step;
                 if (double.IsNaN(first))
                     first = peak;
@@ -78,25 +78,25 @@ namespace SphFluid.Validation
         }
 
         // Runge-Kutta of fourth order.
-        static State Advance(in State s, double step = Step)
+        private static State Advance(in State s, double step = Step)
         {
             State k1 = Rate(s), k2 = Rate(s.Plus(k1, 0.5 * step)), k3 = Rate(s.Plus(k2, 0.5 * step)), k4 = Rate(s.Plus(k3, step));
             return s.Plus(k1, step / 6.0).Plus(k2, step / 3.0).Plus(k3, step / 3.0).Plus(k4, step / 6.0);
         }
 
-        static State Rate(in State s)
+        private static State Rate(in State s)
         {
             double lambda = Lambda(s);
             return new State(s.RateX, s.RateZ, -s.X + lambda / s.X, -s.Z + lambda / s.Z);
         }
 
-        static double Lambda(in State s)
+        private static double Lambda(in State s)
         {
             double x = s.RateX / s.X, z = s.RateZ / s.Z;
             return (3.0 + 2.0 * x * x + z * z) / (2.0 / (s.X * s.X) + 1.0 / (s.Z * s.Z));
         }
 
-        readonly struct State
+        private readonly struct State
         {
             public readonly double X, Z, RateX, RateZ;
 

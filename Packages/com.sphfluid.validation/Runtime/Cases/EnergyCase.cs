@@ -9,12 +9,12 @@ namespace SphFluid.Validation
     /// </summary>
     public sealed class EnergyCase : ValidationCase
     {
-        const double Height = 1.0; // of the column [m]
-        const double Width = 0.5;
-        const double Length = 1.0; // of the box
-        const double Gravity = 9.81;
-        const double Duration = 8.0; // in √(H/g)
-        const double SamplesPerTime = 10.0;
+        private const double Height = 1.0; // of the column [m]
+        private const double Width = 0.5;
+        private const double Length = 1.0; // of the box
+        private const double Gravity = 9.81;
+        private const double Duration = 8.0; // in √(H/g)
+        private const double SamplesPerTime = 10.0;
 
         /// <inheritdoc/>
         public override string Name => "energy";

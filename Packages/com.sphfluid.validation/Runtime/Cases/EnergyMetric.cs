@@ -11,10 +11,10 @@ namespace SphFluid.Validation
     {
         internal const string ErrorName = "largest E/E0 − 1";
 
-        readonly FluidSolverSettings settings;
-        readonly double rest;
-        readonly List<double> times = new List<double>();
-        readonly List<double> energies = new List<double>();
+        private readonly FluidSolverSettings settings;
+        private readonly double rest;
+        private readonly List<double> times = new List<double>();
+        private readonly List<double> energies = new List<double>();
 
         /// <summary>A metric for one run.</summary>
         /// <param name="settings">The run's constants.</param>
@@ -36,8 +36,7 @@ namespace SphFluid.Validation
         public override IReadOnlyList<CaseError> Evaluate()
         {
             double start = energies.Count > 0 ? energies[0] : double.NaN, largest = start;
-            foreach (double energy in energies)
-                largest = Math.Max(largest, energy);
+            foreach (double energy in energies) largest = Math.Max(largest, energy);
             return new[]
             {
                 new CaseError(ErrorName, start > 0.0 ? largest / start - 1.0 : double.NaN),
@@ -49,8 +48,7 @@ namespace SphFluid.Validation
         public override IReadOnlyList<CaseSeries> Series()
         {
             var series = new CaseSeries("E/E0");
-            for (int i = 0; i < times.Count; i++)
-                series.Add(times[i], energies[i] / energies[0]);
+            for (int i = 0; i < times.Count; i++) series.Add(times[i], energies[i] / energies[0]);
             return new[] { series };
         }
     }

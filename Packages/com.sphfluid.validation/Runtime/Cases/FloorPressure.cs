@@ -8,15 +8,15 @@ namespace SphFluid.Validation
     /// within R (Shepard 1968). The force of a symmetric form bears an odd-even mode in the layers at a wall, which an average
     /// of several layers does not see. What is nearer to a side wall than three spacings is kept apart.
     /// </summary>
-    sealed class FloorPressure
+    internal sealed class FloorPressure
     {
         /// <summary>Spacings from a side wall at which the face begins.</summary>
         public const double Edge = 3.0;
 
-        readonly FluidSolverSettings settings;
-        readonly List<Vector3> face = new List<Vector3>(), edges = new List<Vector3>();
-        double faceSum, edgeSum;
-        int samples;
+        private readonly FluidSolverSettings settings;
+        private readonly List<Vector3> face = new List<Vector3>(), edges = new List<Vector3>();
+        private double faceSum, edgeSum;
+        private int samples;
 
         /// <summary>A reading.</summary>
         /// <param name="settings">The liquid's; the floor is the domain's lower face.</param>
@@ -57,15 +57,14 @@ namespace SphFluid.Validation
             var near = new List<int>();
             for (int i = 0; i < state.Count; i++)
             {
-                if (state.LocalPositions[i].y + 0.5f * settings.DomainSize.y < settings.SupportRadius)
-                    near.Add(i);
+                if (state.LocalPositions[i].y + 0.5f * settings.DomainSize.y < settings.SupportRadius) near.Add(i);
             }
             faceSum += Sum(face, state, near);
             edgeSum += Sum(edges, state, near);
             samples++;
         }
 
-        double Sum(List<Vector3> points, FluidSnapshot state, List<int> near)
+        private double Sum(List<Vector3> points, FluidSnapshot state, List<int> near)
         {
             Vector3 period = settings.PeriodLength;
             double sum = 0.0;
@@ -76,7 +75,9 @@ namespace SphFluid.Validation
                 {
                     Vector3 d = state.LocalPositions[i] - point;
                     for (int axis = 0; axis < 3; axis++)
+                    {
                         d[axis] -= period[axis] > 0f ? period[axis] * Mathf.Round(d[axis] / period[axis]) : 0f;
+                    }
                     double weight = CpuKernels.Wendland(d.magnitude / settings.SupportRadius);
                     weights += weight;
                     pressures += weight * state.Pressures[i];

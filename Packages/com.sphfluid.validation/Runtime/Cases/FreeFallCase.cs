@@ -10,11 +10,11 @@ namespace SphFluid.Validation
     /// </summary>
     public sealed class FreeFallCase : ValidationCase
     {
-        const double Edge = 0.3;
-        const double Fall = 1.5;
-        const double Gravity = 9.81;
-        const double Margin = 0.25; // beside, above and below the block's path [m]
-        const int Samples = 8;
+        private const double Edge = 0.3;
+        private const double Fall = 1.5;
+        private const double Gravity = 9.81;
+        private const double Margin = 0.25; // beside, above and below the block's path [m]
+        private const int Samples = 8;
 
         /// <inheritdoc/>
         public override string Name => "free-fall";
@@ -62,6 +62,7 @@ namespace SphFluid.Validation
         }
 
         /// <inheritdoc/>
-        public override CaseMetric CreateMetric(in CaseParameters parameters, CaseSetup setup) => new RelativeMotionMetric(setup.Settings.Spacing);
+        public override CaseMetric CreateMetric(in CaseParameters parameters, CaseSetup setup) =>
+            new RelativeMotionMetric(setup.Settings.Spacing);
     }
 }

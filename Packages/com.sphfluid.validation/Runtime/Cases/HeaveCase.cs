@@ -11,11 +11,11 @@ namespace SphFluid.Validation
     /// </summary>
     public sealed class HeaveCase : ValidationCase
     {
-        const double Depth = 1.0, Gravity = 9.81;
-        const double Freeboard = 0.3;
-        const double Lasts = 2.5;
-        const double Samples = 60.0; // a second
-        const int GridCells = 60; // of the reference, over the depth
+        private const double Depth = 1.0, Gravity = 9.81;
+        private const double Freeboard = 0.3;
+        private const double Lasts = 2.5;
+        private const double Samples = 60.0; // a second
+        private const int GridCells = 60; // of the reference, over the depth
 
         /// <inheritdoc/>
         public override string Name => "heave";
@@ -55,7 +55,8 @@ namespace SphFluid.Validation
             WallCaseSetup.Require(parameters, Name, 8);
             var cells = new Sizes(parameters);
             int width = WallCaseSetup.PeriodicCount(parameters);
-            var domain = new Vector3((float)(2 * cells.HalfLength * cells.Spacing), (float)(Depth + Freeboard), (float)(width * cells.Spacing));
+            var domain = new Vector3((float)(2 * cells.HalfLength * cells.Spacing), (float)(Depth + Freeboard),
+                (float)(width * cells.Spacing));
             FluidSolverSettings settings = CaseSettings.For(parameters, domain, cells.Spacing, Math.Sqrt(Gravity * Depth),
                 new Vector3(0f, -(float)Gravity, 0f), null, new FluidBoundaries { Periodic = FluidAxes.Z });
             Sizes sizes = cells.Compressed(WallCaseSetup.Stiffness(parameters, settings));
@@ -76,23 +77,25 @@ namespace SphFluid.Validation
         {
             Sizes sizes = new Sizes(parameters).Compressed(WallCaseSetup.Stiffness(parameters, setup.Settings));
             double height = sizes.LiftedBottom - sizes.RestingBottom, rest = setup.Bodies[0].Centre.y - height;
-            return new HeaveMetric(Reference(sizes).Release(height, Lasts, 1.0 / Samples), 1.0 / Samples, rest, sizes.Draught * sizes.Spacing);
+            return new HeaveMetric(Reference(sizes).Release(height, Lasts, 1.0 / Samples), 1.0 / Samples, rest,
+                sizes.Draught * sizes.Spacing);
         }
 
-        static HeaveTank Reference(in Sizes sizes)
+        private static HeaveTank Reference(in Sizes sizes)
         {
             int fine = Math.Max(1, GridCells / sizes.Resolution);
-            return new HeaveTank(fine * sizes.HalfLength, (int)Math.Round(fine * sizes.RestingRows), fine * sizes.HalfBeam, fine * sizes.Draught, sizes.Spacing / fine, Gravity);
+            return new HeaveTank(fine * sizes.HalfLength, (int)Math.Round(fine * sizes.RestingRows), fine * sizes.HalfBeam,
+                fine * sizes.Draught, sizes.Spacing / fine, Gravity);
         }
 
         // A method that moves no bodies says so now and not when the run has begun.
-        static void RequireFloating(in FluidSolverSettings settings, CaseBody box)
+        private static void RequireFloating(in FluidSolverSettings settings, CaseBody box)
         {
             using (var obstacles = new FluidObstacles(settings))
                 new CaseBodies(new[] { box }).AddTo(obstacles);
         }
 
-        static CaseBody Box(in Sizes sizes, in FluidSolverSettings settings)
+        private static CaseBody Box(in Sizes sizes, in FluidSolverSettings settings)
         {
             double beam = 2 * sizes.HalfBeam * sizes.Spacing, draught = sizes.Draught * sizes.Spacing;
             double displaced = 2 * sizes.HalfBeam * sizes.Draught * settings.DomainSize.z / sizes.Spacing; // particles
@@ -105,7 +108,7 @@ namespace SphFluid.Validation
             };
         }
 
-        static FluidParticle[] Water(in CaseParameters parameters, Sizes sizes, Vector3 domain, int width)
+        private static FluidParticle[] Water(in CaseParameters parameters, Sizes sizes, Vector3 domain, int width)
         {
             double dx = sizes.Spacing;
             List<Vector3> positions = CaseLattice.Box(new Vector3Int(2 * sizes.HalfLength, sizes.Resolution, width), dx,
@@ -119,18 +122,19 @@ namespace SphFluid.Validation
             return WallCaseSetup.AtRest(positions, parameters, dx, domain);
         }
 
-        // Box, tank and liquid at the start in whole spacings. Released, the box sinks by less than it is too high: it raises the level as it goes.
-        readonly struct Sizes
+        // Box, tank and liquid at the start in whole spacings. Released, the box sinks by less than it is too high: it raises the level as
+        // it goes.
+        private readonly struct Sizes
         {
-            const int LengthOverBeam = 5;
+            private const int LengthOverBeam = 5;
 
-            readonly double ratio; // c²/(gH)
+            private readonly double ratio; // c²/(gH)
 
             public Sizes(in CaseParameters parameters) : this(parameters.Resolution, double.PositiveInfinity)
             {
             }
 
-            Sizes(int resolution, double ratio)
+            private Sizes(int resolution, double ratio)
             {
                 Resolution = resolution;
                 Draught = (int)Math.Round(0.4 * Resolution);
@@ -158,7 +162,10 @@ namespace SphFluid.Validation
 
             public double Spacing => Depth / Resolution;
 
-            /// <summary>Height above the floor of the box's bottom when it is released [m]: liquid of so many rows ends there, compressed by what stands beside it.</summary>
+            /// <summary>
+            /// Height above the floor of the box's bottom when it is released [m]: liquid of so many rows ends there, compressed by what
+            /// stands beside it.
+            /// </summary>
             public double LiftedBottom => Settled(LiftedRows * Spacing, Resolution);
 
             /// <summary>The same where it floats at rest [m].</summary>

@@ -3,14 +3,16 @@ using System.Collections.Generic;
 
 namespace SphFluid.Validation
 {
-    /// <summary>Follows the height of a floating box that was released above its place at rest, and holds it against linear potential flow.</summary>
+    /// <summary>
+    /// Follows the height of a floating box that was released above its place at rest, and holds it against linear potential flow.
+    /// </summary>
     public sealed class HeaveMetric : CaseMetric
     {
         internal const string ErrorName = "heave, RMS over its own";
 
-        readonly SampledCurve exact = new SampledCurve();
-        readonly SampledCurve measured = new SampledCurve();
-        readonly double rest, draught, start;
+        private readonly SampledCurve exact = new SampledCurve();
+        private readonly SampledCurve measured = new SampledCurve();
+        private readonly double rest, draught, start;
 
         /// <summary>A metric for one run.</summary>
         /// <param name="exact">Height above rest [m] at equal intervals from zero on.</param>
@@ -19,8 +21,7 @@ namespace SphFluid.Validation
         /// <param name="draught">Depth of its bottom there [m].</param>
         public HeaveMetric(IReadOnlyList<double> exact, double interval, double rest, double draught)
         {
-            for (int i = 0; i < exact.Count; i++)
-                this.exact.Add(i * interval, exact[i]);
+            for (int i = 0; i < exact.Count; i++) this.exact.Add(i * interval, exact[i]);
             this.rest = rest;
             this.draught = draught;
             start = exact[0];
@@ -32,7 +33,9 @@ namespace SphFluid.Validation
             double height = readings.Bodies[0].y - rest;
             measured.Add(time, height);
             if (!(Math.Abs(height) < draught))
+            {
                 Failure = FormattableString.Invariant($"the box is {height:0.###} m above its place at rest");
+            }
         }
 
         /// <inheritdoc/>
@@ -41,8 +44,9 @@ namespace SphFluid.Validation
         }
 
         /// <summary>
-        /// RMS of the height's error over the exact heave's, without its mean, which is the draught's error: less water displaced is more than
-        /// none. Then that over the draught, less water positive; time and height of the first trough and crest over the exact ones, less 1.
+        /// RMS of the height's error over the exact heave's, without its mean, which is the draught's error: less water displaced is more
+        /// than none. Then that over the draught, less water positive; time and height of the first trough and crest over the exact ones,
+        /// less 1.
         /// </summary>
         public override IReadOnlyList<CaseError> Evaluate()
         {
@@ -74,46 +78,40 @@ namespace SphFluid.Validation
         public override IReadOnlyList<CaseSeries> Series()
         {
             var series = new[] { new CaseSeries("linear potential flow", true), new CaseSeries("heave") };
-            foreach ((double time, double height) in exact.Points)
-                series[0].Add(time, height / start);
-            foreach ((double time, double height) in measured.Points)
-                series[1].Add(time, height / start);
+            foreach ((double time, double height) in exact.Points) series[0].Add(time, height / start);
+            foreach ((double time, double height) in measured.Points) series[1].Add(time, height / start);
             return series;
         }
 
         // The first lowest (sign −1) or highest point after a time: nothing within a fifth of a second to either side is beyond it.
-        static (double Time, double Height) Turn(SampledCurve curve, double after, double sign)
+        private static (double Time, double Height) Turn(SampledCurve curve, double after, double sign)
         {
             IReadOnlyList<(double X, double Y)> points = curve.Points;
             for (int i = 1; i + 1 < points.Count; i++)
             {
-                if (points[i].X <= after || !IsTurn(points, i, sign))
-                    continue;
+                if (points[i].X <= after || !IsTurn(points, i, sign)) continue;
                 return Vertex(points[i - 1], points[i], points[i + 1]);
             }
             return (double.NaN, double.NaN);
         }
 
-        static bool IsTurn(IReadOnlyList<(double X, double Y)> points, int at, double sign)
+        private static bool IsTurn(IReadOnlyList<(double X, double Y)> points, int at, double sign)
         {
             const double Window = 0.2;
-            if (points[at].X - points[0].X < Window || points[points.Count - 1].X - points[at].X < Window)
-                return false;
+            if (points[at].X - points[0].X < Window || points[points.Count - 1].X - points[at].X < Window) return false;
             for (int i = 0; i < points.Count; i++)
             {
-                if (Math.Abs(points[i].X - points[at].X) <= Window && sign * points[i].Y > sign * points[at].Y)
-                    return false;
+                if (Math.Abs(points[i].X - points[at].X) <= Window && sign * points[i].Y > sign * points[at].Y) return false;
             }
             return true;
         }
 
         // Of the parabola through three points.
-        static (double Time, double Height) Vertex((double X, double Y) a, (double X, double Y) b, (double X, double Y) c)
+        private static (double Time, double Height) Vertex((double X, double Y) a, (double X, double Y) b, (double X, double Y) c)
         {
             double left = (b.Y - a.Y) / (b.X - a.X), right = (c.Y - b.Y) / (c.X - b.X);
             double curvature = (right - left) / (c.X - a.X);
-            if (curvature == 0.0)
-                return b;
+            if (curvature == 0.0) return b;
             double slope = left + curvature * (b.X - a.X);
             return (b.X - 0.5 * slope / curvature, b.Y - 0.25 * slope * slope / curvature);
         }

@@ -12,11 +12,11 @@ namespace SphFluid.Validation
     /// </summary>
     public sealed class HydrostaticCase : ValidationCase
     {
-        const double Depth = 1.0;
-        const double Gravity = 9.81;
-        const double Settles = 15.0; // of Lasts, times √(H/g)
-        const double Lasts = 20.0;
-        const double SamplesPerTime = 10.0;
+        private const double Depth = 1.0;
+        private const double Gravity = 9.81;
+        private const double Settles = 15.0; // of Lasts, times √(H/g)
+        private const double Lasts = 20.0;
+        private const double SamplesPerTime = 10.0;
 
         /// <summary>True: four walls instead of periodic sides.</summary>
         public bool Walls { get; set; }
@@ -40,7 +40,8 @@ namespace SphFluid.Validation
         public override string ErrorName => HydrostaticMetric.ErrorName;
 
         /// <inheritdoc/>
-        public override string Caution => "Compared is the pressure that pushes. Standard reads it; the thesis method reads twice as much, " +
+        public override string Caution =>
+            "Compared is the pressure that pushes. Standard reads it; the thesis method reads twice as much, " +
             "because the ½ of its equation (13) halves the force.";
 
         /// <inheritdoc/>
@@ -76,10 +77,10 @@ namespace SphFluid.Validation
             return new HydrostaticMetric(setup.Settings, Depth, width * width, Settles * Math.Sqrt(Depth / Gravity));
         }
 
-        int Width(in CaseParameters parameters) => Walls ? 12 : Math.Max(8, WallCaseSetup.PeriodicCount(parameters));
+        private int Width(in CaseParameters parameters) => Walls ? 12 : Math.Max(8, WallCaseSetup.PeriodicCount(parameters));
 
         // Compressed as the equation of state has it at rest, so that there is little to settle.
-        static FluidParticle[] Column(in CaseParameters parameters, in FluidSolverSettings settings, int width, double dx)
+        private static FluidParticle[] Column(in CaseParameters parameters, in FluidSolverSettings settings, int width, double dx)
         {
             Vector3 domain = settings.DomainSize;
             List<Vector3> positions = CaseLattice.Box(new Vector3Int(width, parameters.Resolution, width), dx,

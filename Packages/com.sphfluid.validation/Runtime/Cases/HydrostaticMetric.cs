@@ -17,16 +17,16 @@ namespace SphFluid.Validation
         internal const string FaceName = "pressure on the floor/(ρgH)";
         internal const string EdgesName = "pressure on the floor's edges/(ρgH)";
 
-        readonly FluidSolverSettings settings;
-        readonly double depth, gravity, begin;
-        readonly int layer;
-        readonly FloorPressure floorPressure;
-        readonly LineFit line = new LineFit();
-        readonly double[] binSums;
-        readonly int[] binCounts;
-        double heights, speedSquares, densityErrors;
-        int samples;
-        long particles;
+        private readonly FluidSolverSettings settings;
+        private readonly double depth, gravity, begin;
+        private readonly int layer;
+        private readonly FloorPressure floorPressure;
+        private readonly LineFit line = new LineFit();
+        private readonly double[] binSums;
+        private readonly int[] binCounts;
+        private double heights, speedSquares, densityErrors;
+        private int samples;
+        private long particles;
 
         /// <summary>A metric for one run.</summary>
         /// <param name="settings">The run's constants; gravity along −y, the floor is the domain's lower face.</param>
@@ -57,9 +57,10 @@ namespace SphFluid.Validation
             double floor = -0.5 * settings.DomainSize.y;
             double height = Height(state, floor);
             if (!(height > (2.0 * LeftOut + 2.0) * dx))
+            {
                 Failure = FormattableString.Invariant($"the column has sunk to {height / dx:0.#} dx of height; nothing is left to measure");
-            if (time < begin || Failure != null)
-                return;
+            }
+            if (time < begin || Failure != null) return;
             samples++;
             heights += height;
             floorPressure.Sample(state);
@@ -75,8 +76,7 @@ namespace SphFluid.Validation
                     binSums[bin] += state.Pressures[i];
                     binCounts[bin]++;
                 }
-                if (above < LeftOut * dx || below < LeftOut * dx || FloorPressure.IsNearSide(settings, position))
-                    continue;
+                if (above < LeftOut * dx || below < LeftOut * dx || FloorPressure.IsNearSide(settings, position)) continue;
                 line.Add(Exact(below), state.Pressures[i]);
                 densityErrors += Math.Abs(state.Densities[i] / (double)settings.RestDensity - 1.0);
             }
@@ -84,10 +84,10 @@ namespace SphFluid.Validation
         }
 
         /// <summary>
-        /// |slope/(ρ g) − 1| of the pressure that pushes, ρ as the equation of state has it at that depth, so that methods compare like for like;
-        /// the slope itself, as read and as it pushes (half of it with the ½ of the thesis's equation (13)); pressure on the floor over the
-        /// liquid's weight, as it pushes, on the face and, with side walls, at the edges; height lost beyond the equation of state's; v_rms/√(gH);
-        /// mean |ρ/ρ0 − 1|.
+        /// |slope/(ρ g) − 1| of the pressure that pushes, ρ as the equation of state has it at that depth, so that methods compare like for
+        /// like; the slope itself, as read and as it pushes (half of it with the ½ of the thesis's equation (13)); pressure on the floor
+        /// over the liquid's weight, as it pushes, on the face and, with side walls, at the edges; height lost beyond the equation of
+        /// state's; v_rms/√(gH); mean |ρ/ρ0 − 1|.
         /// </summary>
         public override IReadOnlyList<CaseError> Evaluate()
         {
@@ -99,8 +99,7 @@ namespace SphFluid.Validation
                 new CaseError("slope/(ρg), as it pushes", Share * slope),
                 new CaseError(FaceName, Share * floorPressure.Face / weight),
             };
-            if (floorPressure.HasEdges)
-                errors.Add(new CaseError(EdgesName, Share * floorPressure.Edges / weight));
+            if (floorPressure.HasEdges) errors.Add(new CaseError(EdgesName, Share * floorPressure.Edges / weight));
             errors.Add(new CaseError("height lost beyond the equation of state's", HeightRatio(M) - heights / samples / depth));
             errors.Add(new CaseError("v_rms/√(gH)", Math.Sqrt(speedSquares / particles / (gravity * depth))));
             errors.Add(new CaseError("mean |ρ/ρ0 − 1|", densityErrors / line.Count));
@@ -113,14 +112,12 @@ namespace SphFluid.Validation
             double unit = settings.RestDensity * gravity * depth;
             double bin = depth / binSums.Length;
             var exact = new CaseSeries("equation of state", true);
-            for (int b = 0; b <= binSums.Length; b++)
-                exact.Add(b * bin / depth, Exact(b * bin) / unit);
+            for (int b = 0; b <= binSums.Length; b++) exact.Add(b * bin / depth, Exact(b * bin) / unit);
             var read = new CaseSeries("pressure as read");
             var pushes = new CaseSeries("pressure as it pushes");
             for (int b = 0; b < binSums.Length; b++)
             {
-                if (binCounts[b] == 0)
-                    continue;
+                if (binCounts[b] == 0) continue;
                 double pressure = binSums[b] / binCounts[b] / unit;
                 read.Add((b + 0.5) * bin / depth, pressure);
                 pushes.Add((b + 0.5) * bin / depth, Share * pressure);
@@ -129,29 +126,28 @@ namespace SphFluid.Validation
         }
 
         // c²/(g H).
-        double M => Sound * Sound / (gravity * depth);
+        private double M => Sound * Sound / (gravity * depth);
 
-        double Sound => CaseSettings.EffectiveSoundSpeed(settings);
+        private double Sound => CaseSettings.EffectiveSoundSpeed(settings);
 
         // Of the pressure as it is read, what pushes.
-        double Share => HalvesPressure ? 0.5 : 1.0;
+        private double Share => HalvesPressure ? 0.5 : 1.0;
 
         // Equation (13) of the thesis has ½ (p_i + p_j).
-        bool HalvesPressure => CaseMethod.IsThesis(settings) && settings.Own<ThesisSettings>().PressureHalf;
+        private bool HalvesPressure => CaseMethod.IsThesis(settings) && settings.Own<ThesisSettings>().PressureHalf;
 
         // ρ0 c² (e^x − 1), x = g d/c²: ρ g d of liquid that its own weight compresses. The hyperbolic sine keeps the digits of a small x.
-        double Exact(double below)
+        private double Exact(double below)
         {
             double square = Sound * Sound;
             double half = 0.5 * gravity * below / square;
             return settings.RestDensity * square * 2.0 * Math.Sinh(half) * Math.Exp(half);
         }
 
-        double Height(FluidSnapshot state, double floor)
+        private double Height(FluidSnapshot state, double floor)
         {
             var above = new double[state.Count];
-            for (int i = 0; i < above.Length; i++)
-                above[i] = state.LocalPositions[i].y - floor;
+            for (int i = 0; i < above.Length; i++) above[i] = state.LocalPositions[i].y - floor;
             return LiquidSurface.Height(above, layer, settings.Spacing);
         }
     }

@@ -10,11 +10,12 @@ namespace SphFluid.Validation
     /// </summary>
     public sealed class JetCase : ValidationCase
     {
-        const double Width = 1.0, Speed = 1.0;
-        const double Length = 8.0;
-        const double HalfHeight = 20.0; // of the domain: the first touch throws spray along the wall at more than 2 U, and what piles up at an end would push on the wall
-        const double From = 3.0, To = 6.0; // of what is even, in b/U
-        const double Interval = 0.05;
+        private const double Width = 1.0, Speed = 1.0;
+        private const double Length = 8.0;
+        // of the domain: the first touch throws spray along the wall at more than 2 U, and what piles up at an end would push on the wall
+        private const double HalfHeight = 20.0;
+        private const double From = 3.0, To = 6.0; // of what is even, in b/U
+        private const double Interval = 0.05;
 
         /// <inheritdoc/>
         public override string Name => "jet";
@@ -58,7 +59,8 @@ namespace SphFluid.Validation
             CaseLattice.Jitter(positions, parameters.Jitter * dx, parameters.Seed, 0.4999f * domain);
             return new CaseSetup
             {
-                Settings = CaseSettings.For(parameters, domain, dx, Speed, Vector3.zero, null, new FluidBoundaries { Periodic = FluidAxes.Z }),
+                Settings = CaseSettings.For(parameters, domain, dx, Speed, Vector3.zero, null,
+                    new FluidBoundaries { Periodic = FluidAxes.Z }),
                 Particles = CaseLattice.Particles(positions, p => new Vector3(-(float)Speed, 0f, 0f)),
                 Duration = To * Width / Speed,
                 SampleInterval = Interval * Width / Speed,

@@ -5,23 +5,23 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>
-    /// The force of a jet on the wall that it hits, from what momentum the liquid loses, and the speed of the sheets in which it leaves. A jet
-    /// that is turned through a right angle gives the wall ρ U² b a metre of its breadth, whatever happens within; by Bernoulli the sheets
-    /// leave as fast as it came.
+    /// The force of a jet on the wall that it hits, from what momentum the liquid loses, and the speed of the sheets in which it leaves. A
+    /// jet that is turned through a right angle gives the wall ρ U² b a metre of its breadth, whatever happens within; by Bernoulli the
+    /// sheets leave as fast as it came.
     /// </summary>
     public sealed class JetMetric : CaseMetric
     {
         internal const string ErrorName = "force";
 
         // Over b from the jet's middle: there the liquid at the wall, the slowest, has 98 % of U and more.
-        const double SheetsFrom = 2.0, SheetsTo = 3.0;
+        private const double SheetsFrom = 2.0, SheetsTo = 3.0;
 
-        readonly double width, length, speed, from, to, sheetsSince, density;
-        readonly double[] pressures = new double[JetWall.Strips]; // sums over readings of the even flow [Pa]
-        readonly List<double> times = new List<double>();
-        readonly List<double> momenta = new List<double>(); // of all particles' velocities toward the wall [m/s]
-        double sheetSpeeds, energies;
-        int sheets, readings;
+        private readonly double width, length, speed, from, to, sheetsSince, density;
+        private readonly double[] pressures = new double[JetWall.Strips]; // sums over readings of the even flow [Pa]
+        private readonly List<double> times = new List<double>();
+        private readonly List<double> momenta = new List<double>(); // of all particles' velocities toward the wall [m/s]
+        private double sheetSpeeds, energies;
+        private int sheets, readings;
 
         /// <summary>A metric for one run.</summary>
         /// <param name="width">b [m].</param>
@@ -45,10 +45,8 @@ namespace SphFluid.Validation
         public override void Read(double time, CaseReadings readings)
         {
             double t = time * speed / width;
-            if (readings.Pressures.Count == 0 || t < from || t > to)
-                return;
-            for (int i = 0; i < pressures.Length; i++)
-                pressures[i] += readings.Pressures[i];
+            if (readings.Pressures.Count == 0 || t < from || t > to) return;
+            for (int i = 0; i < pressures.Length; i++) pressures[i] += readings.Pressures[i];
             this.readings++;
         }
 
@@ -61,8 +59,7 @@ namespace SphFluid.Validation
                 Vector3 velocity = state.Velocities[i];
                 momentum -= velocity.x;
                 double off = Math.Abs(state.LocalPositions[i].y) / width;
-                if (t < sheetsSince || t > to || off < SheetsFrom || off > SheetsTo)
-                    continue;
+                if (t < sheetsSince || t > to || off < SheetsFrom || off > SheetsTo) continue;
                 sheetSpeeds += Math.Sign(state.LocalPositions[i].y) * velocity.y;
                 energies += velocity.sqrMagnitude;
                 sheets++;
@@ -72,27 +69,25 @@ namespace SphFluid.Validation
         }
 
         // Of a length of b: what ρ U² b gives the wall in b/U.
-        double Unit => momenta[0] * width / length;
+        private double Unit => momenta[0] * width / length;
 
         /// <summary>
         /// The force's error over ρ U² b, absolute; the same with its sign; how uneven the force is while the flow is even; speed of the
-        /// sheets over U less 1; what they have lost of their kinetic energy. Where the wall's pressure is measured also the RMS of its error along
-        /// the wall over ½ρU², and how far what the strips bear is from the force by momentum.
+        /// sheets over U less 1; what they have lost of their kinetic energy. Where the wall's pressure is measured also the RMS of its
+        /// error along the wall over ½ρU², and how far what the strips bear is from the force by momentum.
         /// </summary>
         public override IReadOnlyList<CaseError> Evaluate()
         {
             var line = new LineFit();
             for (int i = 0; i < times.Count; i++)
             {
-                if (times[i] >= from && times[i] <= to)
-                    line.Add(times[i], momenta[i]);
+                if (times[i] >= from && times[i] <= to) line.Add(times[i], momenta[i]);
             }
             double squares = 0.0;
             int count = 0;
             foreach ((double time, double force) in Forces())
             {
-                if (time < from || time > to)
-                    continue;
+                if (time < from || time > to) continue;
                 squares += (force + line.Slope / Unit) * (force + line.Slope / Unit);
                 count++;
             }
@@ -105,8 +100,7 @@ namespace SphFluid.Validation
                 new CaseError("speed of the sheets over U − 1", sheetSpeeds / sheets / speed - 1.0),
                 new CaseError("energy lost by the sheets", 1.0 - energies / sheets / (speed * speed)),
             };
-            if (readings > 0)
-                AddWall(errors, error + 1.0);
+            if (readings > 0) AddWall(errors, error + 1.0);
             return errors;
         }
 
@@ -118,14 +112,13 @@ namespace SphFluid.Validation
             foreach ((double time, double force) in Forces())
             {
                 measured.Add(time, force);
-                if (time >= from && time <= to)
-                    exact.Add(time, 1.0);
+                if (time >= from && time <= to) exact.Add(time, 1.0);
             }
             return new[] { exact, measured };
         }
 
         // The strips reach 2 b to each side, where 99 % of the force are.
-        void AddWall(List<CaseError> errors, double force)
+        private void AddWall(List<CaseError> errors, double force)
         {
             double squares = 0.0, borne = 0.0, exact = 0.0, unit = 0.5 * density * speed * speed;
             for (int i = 0; i < pressures.Length; i++)
@@ -140,10 +133,12 @@ namespace SphFluid.Validation
         }
 
         // Between each two samples, over ρ U² b.
-        IEnumerable<(double Time, double Force)> Forces()
+        private IEnumerable<(double Time, double Force)> Forces()
         {
             for (int i = 1; i < times.Count; i++)
+            {
                 yield return (0.5 * (times[i - 1] + times[i]), (momenta[i - 1] - momenta[i]) / Unit / (times[i] - times[i - 1]));
+            }
         }
     }
 }

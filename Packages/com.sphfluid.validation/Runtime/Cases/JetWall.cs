@@ -5,11 +5,11 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>
-    /// Pressure of a plane jet along the wall that it hits at right angles, by free streamlines. Where the liquid has the part q of the jet's
-    /// speed along the wall, y = (b/π) (2 arctan q + ln (1 + q)/(1 − q)) from the middle (Milne-Thomson, Theoretical Hydrodynamics, ch. XI), and by
-    /// Bernoulli p = ½ρU² (1 − q²); from the middle to there the wall bears (2/π) arctan q of ρU²b.
+    /// Pressure of a plane jet along the wall that it hits at right angles, by free streamlines. Where the liquid has the part q of the
+    /// jet's speed along the wall, y = (b/π) (2 arctan q + ln (1 + q)/(1 − q)) from the middle (Milne-Thomson, Theoretical Hydrodynamics,
+    /// ch. XI), and by Bernoulli p = ½ρU² (1 − q²); from the middle to there the wall bears (2/π) arctan q of ρU²b.
     /// </summary>
-    static class JetWall
+    internal static class JetWall
     {
         /// <summary>Strips of the wall, from −<see cref="Reach"/> to <see cref="Reach"/>.</summary>
         public const int Strips = 16;
@@ -42,10 +42,10 @@ namespace SphFluid.Validation
         }
 
         // What the wall bears from the middle to y over b, over ρU²b.
-        static double Force(double y) => Math.Sign(y) * 2.0 / Math.PI * Math.Atan(SpeedAt(Math.Abs(y)));
+        private static double Force(double y) => Math.Sign(y) * 2.0 / Math.PI * Math.Atan(SpeedAt(Math.Abs(y)));
 
         // q at y over b, by halving.
-        static double SpeedAt(double y)
+        private static double SpeedAt(double y)
         {
             double low = 0.0, high = 1.0;
             for (int i = 0; i < 52; i++)

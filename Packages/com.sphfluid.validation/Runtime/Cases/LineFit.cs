@@ -3,7 +3,7 @@ namespace SphFluid.Validation
     /// <summary>The straight line of least squares through points that come one by one.</summary>
     public sealed class LineFit
     {
-        double count, meanX, meanY, squaresX, products;
+        private double count, meanX, meanY, squaresX, products;
 
         /// <summary>Number of points.</summary>
         public int Count => (int)count;

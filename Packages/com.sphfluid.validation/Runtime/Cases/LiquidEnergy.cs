@@ -6,7 +6,7 @@ namespace SphFluid.Validation
     /// <summary>The energies of a state [J], summed on the CPU; <see cref="FluidStatistics"/> has the same sums from the GPU.</summary>
     public readonly struct LiquidEnergy
     {
-        LiquidEnergy(double kinetic, double potential, double elastic)
+        private LiquidEnergy(double kinetic, double potential, double elastic)
         {
             Kinetic = kinetic;
             Potential = potential;
@@ -46,17 +46,20 @@ namespace SphFluid.Validation
                 elastic += acts ? Math.Log(ratio) + 1.0 / ratio - 1.0 : 0.0;
             }
             double sound = EffectiveSound(settings);
-            return new LiquidEnergy(settings.ParticleMass * kinetic, settings.ParticleMass * potential, settings.ParticleMass * sound * sound * elastic);
+            return new LiquidEnergy(settings.ParticleMass * kinetic, settings.ParticleMass * potential,
+                settings.ParticleMass * sound * sound * elastic);
         }
 
         /// <summary>
-        /// What the force is multiplied with: 6.3.3 as printed multiplies the force density by m where the equation divides by ρ, which is m ρ
-        /// times the acceleration; 1 else.
+        /// What the force is multiplied with: 6.3.3 as printed multiplies the force density by m where the equation divides by ρ, which is
+        /// m ρ times the acceleration; 1 else.
         /// </summary>
         internal static double ForceFactor(in FluidSolverSettings settings) =>
-            CaseMethod.IsThesis(settings) && settings.Own<ThesisSettings>().ForceTimesMass ? (double)settings.ParticleMass * settings.RestDensity : 1.0;
+            CaseMethod.IsThesis(settings) && settings.Own<ThesisSettings>().ForceTimesMass
+                ? (double)settings.ParticleMass * settings.RestDensity : 1.0;
 
         /// <summary>Speed at which waves run [m/s].</summary>
-        internal static double EffectiveSound(in FluidSolverSettings settings) => CaseSettings.EffectiveSoundSpeed(settings) * Math.Sqrt(ForceFactor(settings));
+        internal static double EffectiveSound(in FluidSolverSettings settings) =>
+            CaseSettings.EffectiveSoundSpeed(settings) * Math.Sqrt(ForceFactor(settings));
     }
 }

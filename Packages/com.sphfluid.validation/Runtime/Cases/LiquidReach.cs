@@ -7,12 +7,12 @@ namespace SphFluid.Validation
     /// How far liquid reaches from a wall along one direction, spray left out. The liquid ends where fewer particles than a row
     /// lie within two spacings: one that flies ahead alone, or a few of them, are beyond the end.
     /// </summary>
-    readonly struct LiquidReach
+    internal readonly struct LiquidReach
     {
         /// <summary>Largest stretch with less than a row, over dx: beyond it the particles do not touch at κ = 2.</summary>
         public const double Gap = 2.0;
 
-        LiquidReach(int count, double edge)
+        private LiquidReach(int count, double edge)
         {
             Count = count;
             Edge = edge;
@@ -33,12 +33,10 @@ namespace SphFluid.Validation
             distances.Sort();
             double gap = Gap * spacing;
             int count = 0;
-            while (count < distances.Count && distances[count] - (count < row ? 0.0 : distances[count - row]) <= gap)
-                count++;
+            while (count < distances.Count && distances[count] - (count < row ? 0.0 : distances[count - row]) <= gap) count++;
             double sum = 0.0;
             int last = Math.Min(row, count);
-            for (int i = count - last; i < count; i++)
-                sum += distances[i];
+            for (int i = count - last; i < count; i++) sum += distances[i];
             return new LiquidReach(count, count == 0 ? 0.0 : sum / last + 0.5 * spacing);
         }
     }

@@ -12,16 +12,16 @@ namespace SphFluid.Validation
     /// </summary>
     public sealed class MarinCase : ValidationCase
     {
-        const double Gravity = 9.81;
-        const double WaterHeight = 0.55;
+        private const double Gravity = 9.81;
+        private const double WaterHeight = 0.55;
 
         // The record's six seconds and a sample.
-        const double Lasts = 6.05;
+        private const double Lasts = 6.05;
 
-        static readonly Vector3 tank = new Vector3(3.22f, 1f, 1f);
-        static readonly Vector3 water = new Vector3(1.228f, (float)WaterHeight, 1f);
-        static readonly Vector3 box = new Vector3(0.161f, 0.161f, 0.403f);
-        const float BoxCentre = 0.744f;
+        private static readonly Vector3 tank = new Vector3(3.22f, 1f, 1f);
+        private static readonly Vector3 water = new Vector3(1.228f, (float)WaterHeight, 1f);
+        private static readonly Vector3 box = new Vector3(0.161f, 0.161f, 0.403f);
+        private const float BoxCentre = 0.744f;
 
         /// <inheritdoc/>
         public override string Name => "marin";
@@ -75,27 +75,29 @@ namespace SphFluid.Validation
         public override CaseMetric CreateMetric(in CaseParameters parameters, CaseSetup setup) => new MarinMetric(setup.Settings);
 
         // Whole layers that fill the water's box exactly: 22 × 10 × 18 at ten layers, cells of 55.8 × 55 × 55.6 mm, dx³ their volume.
-        static Vector3Int Counts(int layers)
+        private static Vector3Int Counts(int layers)
         {
             double dx = WaterHeight / layers;
             return new Vector3Int((int)Math.Round(water.x / dx), layers, (int)Math.Round(water.z / dx));
         }
 
-        static FluidParticle[] Water(in CaseParameters parameters, in FluidSolverSettings settings, Vector3Int counts, double dx)
+        private static FluidParticle[] Water(in CaseParameters parameters, in FluidSolverSettings settings, Vector3Int counts, double dx)
         {
             var random = new System.Random(parameters.Seed);
             var corner = new Vector3(0.5f * tank.x - water.x, -0.5f * tank.y, -0.5f * tank.z);
             var particles = new FluidParticle[counts.x * counts.y * counts.z];
             for (int i = 0; i < particles.Length; i++)
             {
-                var part = new Vector3((i % counts.x + 0.5f) / counts.x, (i / (counts.x * counts.z) + 0.5f) / counts.y, (i / counts.x % counts.z + 0.5f) / counts.z);
-                particles[i] = WallCaseSetup.Particle(corner + Vector3.Scale(part, water), (uint)i, parameters.Jitter * dx, random, settings);
+                var part = new Vector3((i % counts.x + 0.5f) / counts.x, (i / (counts.x * counts.z) + 0.5f) / counts.y,
+                    (i / counts.x % counts.z + 0.5f) / counts.z);
+                particles[i] = WallCaseSetup.Particle(corner + Vector3.Scale(part, water), (uint)i, parameters.Jitter * dx,
+                    random, settings);
             }
             return particles;
         }
 
         // Squares about the rows of gauges, as wide as the row is long: of the face that the water hits, and of the top.
-        static CasePatch[] Faces()
+        private static CasePatch[] Faces()
         {
             float x = BoxCentre - 0.5f * tank.x, floor = -0.5f * tank.y;
             var size = new Vector2(box.x, box.y);
@@ -107,7 +109,7 @@ namespace SphFluid.Validation
         }
 
         // Closed, so that a particle that got in gets out again; it stands on the floor.
-        static Vector3[] Box()
+        private static Vector3[] Box()
         {
             var centre = new Vector3(BoxCentre - 0.5f * tank.x, 0.5f * (box.y - tank.y), 0f);
             TriangleMesh mesh = TriangleMesh.Box(Matrix4x4.TRS(centre, Quaternion.identity, box));

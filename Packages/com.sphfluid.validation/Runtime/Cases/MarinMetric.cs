@@ -19,39 +19,36 @@ namespace SphFluid.Validation
         internal const string ErrorName = "heights, normalised RMS";
 
         // Of the (2 · 2)² particles of a layer.
-        const int HalfLayer = 8;
+        private const int HalfLayer = 8;
 
         // The wave is back at the gauge in the water's own place 3.8 s after the start; before 2.5 s the water there only sinks.
-        const int ReturnGauge = 3;
-        const double ReturnsAfter = 2.5;
+        private const int ReturnGauge = 3;
+        private const double ReturnsAfter = 2.5;
 
-        readonly FluidSolverSettings settings;
-        readonly SampledCurve[] heights = new SampledCurve[MarinHeights.Gauges.Length];
-        readonly List<double>[] pressures = { new List<double>(), new List<double>() }; // on the box's front and top
-        readonly List<double> levels = new List<double>();
-        readonly List<(double Level, double Weight)> column = new List<(double Level, double Weight)>();
+        private readonly FluidSolverSettings settings;
+        private readonly SampledCurve[] heights = new SampledCurve[MarinHeights.Gauges.Length];
+        private readonly List<double>[] pressures = { new List<double>(), new List<double>() }; // on the box's front and top
+        private readonly List<double> levels = new List<double>();
+        private readonly List<(double Level, double Weight)> column = new List<(double Level, double Weight)>();
 
         /// <summary>A metric for one run.</summary>
         /// <param name="settings">The run's constants; gravity along −y.</param>
         public MarinMetric(in FluidSolverSettings settings)
         {
             this.settings = settings;
-            for (int gauge = 0; gauge < heights.Length; gauge++)
-                heights[gauge] = new SampledCurve();
+            for (int gauge = 0; gauge < heights.Length; gauge++) heights[gauge] = new SampledCurve();
         }
 
         /// <inheritdoc/>
         public override void Read(double time, CaseReadings readings)
         {
-            for (int face = 0; time > 0.0 && face < readings.Pressures.Count; face++)
-                pressures[face].Add(readings.Pressures[face]);
+            for (int face = 0; time > 0.0 && face < readings.Pressures.Count; face++) pressures[face].Add(readings.Pressures[face]);
         }
 
         /// <inheritdoc/>
         public override void Sample(double time, FluidSnapshot state)
         {
-            for (int gauge = 0; gauge < heights.Length; gauge++)
-                heights[gauge].Add(time, Height(state, MarinHeights.Gauges[gauge]));
+            for (int gauge = 0; gauge < heights.Length; gauge++) heights[gauge].Add(time, Height(state, MarinHeights.Gauges[gauge]));
         }
 
         /// <summary>
@@ -59,8 +56,8 @@ namespace SphFluid.Validation
         /// comes back from the far wall is missing: its highest water at the last gauge after 2.5 s over the record's, less 1.
         /// <para>With this unit a gauge that stays dry errs by 1. Water that stands at its final level of 0.211 m all the time
         /// errs by 0.40: most of the record is level. The last of them sees what the others average away.</para>
-        /// <para>Where the force on walls is measured also RMS(p − p_exp)/RMS(p_exp) of means over 50 ms on the box's front and on its top, and
-        /// the impulse on each from 0 to 6 s over the record's, less 1.</para>
+        /// <para>Where the force on walls is measured also RMS(p − p_exp)/RMS(p_exp) of means over 50 ms on the box's front and on its top,
+        /// and the impulse on each from 0 to 6 s over the record's, less 1.</para>
         /// </summary>
         public override IReadOnlyList<CaseError> Evaluate()
         {
@@ -87,18 +84,16 @@ namespace SphFluid.Validation
             {
                 string place = Place(gauge);
                 var record = new CaseSeries($"{place}, MARIN", true);
-                for (int row = 0; row < MarinHeights.Rows; row++)
-                    record.Add(row * MarinHeights.Interval, MarinHeights.Heights[gauge][row]);
+                for (int row = 0; row < MarinHeights.Rows; row++) record.Add(row * MarinHeights.Interval, MarinHeights.Heights[gauge][row]);
                 result.Add(record);
                 result.Add(heights[gauge].ToSeries(place, 1.0, 0.0));
             }
             return result;
         }
 
-        static void AddPressure(List<CaseError> errors, string face, List<double> measured, double[] record)
+        private static void AddPressure(List<CaseError> errors, string face, List<double> measured, double[] record)
         {
-            if (measured.Count < record.Length)
-                return;
+            if (measured.Count < record.Length) return;
             double squares = 0.0, unit = 0.0, sum = 0.0, own = 0.0;
             for (int i = 0; i < record.Length; i++)
             {
@@ -111,9 +106,9 @@ namespace SphFluid.Validation
             errors.Add(new CaseError($"impulse on the {face} of the box over the record's − 1", sum / own - 1.0));
         }
 
-        static string Place(int gauge) => FormattableString.Invariant($"x = {MarinHeights.Gauges[gauge]:0.000} m");
+        private static string Place(int gauge) => FormattableString.Invariant($"x = {MarinHeights.Gauges[gauge]:0.000} m");
 
-        double Height(FluidSnapshot state, double gauge)
+        private double Height(FluidSnapshot state, double gauge)
         {
             Vector3 low = -0.5f * settings.DomainSize;
             double dx = settings.Spacing;
@@ -122,30 +117,30 @@ namespace SphFluid.Validation
             foreach (Vector3 position in state.LocalPositions)
             {
                 double x = Math.Abs(position.x - low.x - gauge) / (Reach * dx), z = Math.Abs(position.z) / (Reach * dx);
-                if (!(x < 1.0 && z < 1.0))
-                    continue;
+                if (!(x < 1.0 && z < 1.0)) continue;
                 levels.Add((double)position.y - low.y);
                 column.Add((levels[levels.Count - 1], (1.0 - x) * (1.0 - z)));
             }
             int liquid = LiquidReach.Of(levels, HalfLayer, dx).Count;
             double weights = 0.0;
-            foreach ((double level, double weight) in column)
-                weights += liquid > 0 && level <= levels[liquid - 1] ? weight : 0.0;
+            foreach ((double level, double weight) in column) weights += liquid > 0 && level <= levels[liquid - 1] ? weight : 0.0;
             return weights * dx / (Reach * Reach);
         }
 
-        static double Record(double time) => MarinHeights.Heights[ReturnGauge][(int)Math.Round(time / MarinHeights.Interval)];
+        private static double Record(double time) => MarinHeights.Heights[ReturnGauge][(int)Math.Round(time / MarinHeights.Interval)];
 
-        static double ReturningWave(Func<double, double> height)
+        private static double ReturningWave(Func<double, double> height)
         {
             double highest = 0.0;
             for (int row = (int)(ReturnsAfter / MarinHeights.Interval); row < MarinHeights.Rows; row++)
+            {
                 highest = Math.Max(highest, height(row * MarinHeights.Interval));
+            }
             return highest;
         }
 
         // At the record's own times; not a number where the run ended earlier.
-        double NormalisedRms(int gauge)
+        private double NormalisedRms(int gauge)
         {
             double squares = 0.0, unit = 0.0;
             for (int row = 0; row < MarinHeights.Rows; row++)

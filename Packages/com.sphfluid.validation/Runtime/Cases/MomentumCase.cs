@@ -10,10 +10,10 @@ namespace SphFluid.Validation
     /// </summary>
     public sealed class MomentumCase : ValidationCase
     {
-        const double Edge = 1.0; // of the box [m]
-        const double Speed = 1.0; // of the blocks to each other [m/s]
-        const int Steps = 1000;
-        const int Samples = 20;
+        private const double Edge = 1.0; // of the box [m]
+        private const double Speed = 1.0; // of the blocks to each other [m/s]
+        private const int Steps = 1000;
+        private const int Samples = 20;
 
         /// <inheritdoc/>
         public override string Name => "momentum";

@@ -9,9 +9,9 @@ namespace SphFluid.Validation
     {
         internal const string ErrorName = "|ΣΔmv|/Σm|v|";
 
-        readonly List<double> times = new List<double>();
-        readonly List<double> drifts = new List<double>();
-        double startX, startY, startZ, scale, worst;
+        private readonly List<double> times = new List<double>();
+        private readonly List<double> drifts = new List<double>();
+        private double startX, startY, startZ, scale, worst;
 
         /// <inheritdoc/>
         public override void Sample(double time, FluidSnapshot state)
@@ -24,8 +24,7 @@ namespace SphFluid.Validation
                 z += v.z;
                 sizes += Math.Sqrt((double)v.x * v.x + (double)v.y * v.y + (double)v.z * v.z);
             }
-            if (times.Count == 0)
-                (startX, startY, startZ, scale) = (x, y, z, sizes);
+            if (times.Count == 0) (startX, startY, startZ, scale) = (x, y, z, sizes);
             double dx = x - startX, dy = y - startY, dz = z - startZ;
             double drift = Math.Sqrt(dx * dx + dy * dy + dz * dz) / scale;
             worst = Math.Max(worst, drift);
@@ -40,8 +39,7 @@ namespace SphFluid.Validation
         public override IReadOnlyList<CaseSeries> Series()
         {
             var series = new CaseSeries(ErrorName);
-            for (int i = 0; i < times.Count; i++)
-                series.Add(times[i], drifts[i]);
+            for (int i = 0; i < times.Count; i++) series.Add(times[i], drifts[i]);
             return new[] { series };
         }
     }

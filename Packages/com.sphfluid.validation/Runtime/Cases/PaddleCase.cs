@@ -11,12 +11,12 @@ namespace SphFluid.Validation
     /// </summary>
     public sealed class PaddleCase : ValidationCase
     {
-        const double Length = 4.0, Depth = 1.0, Gravity = 9.81;
-        const double Stroke = 0.08;
-        const double WaveNumber = 1.5; // of the waves that run [1/m]
-        const double Periods = 2.5;
-        const double SamplesPerPeriod = 60.0; // between two of them the paddle moves evenly
-        const int RoomBehind = 4; // in dx
+        private const double Length = 4.0, Depth = 1.0, Gravity = 9.81;
+        private const double Stroke = 0.08;
+        private const double WaveNumber = 1.5; // of the waves that run [1/m]
+        private const double Periods = 2.5;
+        private const double SamplesPerPeriod = 60.0; // between two of them the paddle moves evenly
+        private const int RoomBehind = 4; // in dx
 
         /// <inheritdoc/>
         public override string Name => "paddle";
@@ -54,7 +54,8 @@ namespace SphFluid.Validation
             double dx = Depth / parameters.Resolution;
             int width = WallCaseSetup.PeriodicCount(parameters);
             var domain = new Vector3((float)(Length + RoomBehind * dx), (float)(Depth + 4.0 * Stroke + 4.0 * dx), (float)(width * dx));
-            FluidSolverSettings settings = CaseSettings.For(parameters, domain, dx, Math.Sqrt(Gravity * Depth), new Vector3(0f, -(float)Gravity, 0f),
+            FluidSolverSettings settings =
+                CaseSettings.For(parameters, domain, dx, Math.Sqrt(Gravity * Depth), new Vector3(0f, -(float)Gravity, 0f),
                 null, new FluidBoundaries { Periodic = FluidAxes.Z });
             return new CaseSetup
             {
@@ -68,15 +69,16 @@ namespace SphFluid.Validation
 
         /// <inheritdoc/>
         public override CaseMetric CreateMetric(in CaseParameters parameters, CaseSetup setup) => new PaddleMetric(
-            new TankModes(Length, Depth, Gravity, CaseSettings.EffectiveSoundSpeed(setup.Settings)), 0.5 * setup.Settings.DomainSize.x - Length, Stroke, WaveNumber);
+            new TankModes(Length, Depth, Gravity, CaseSettings.EffectiveSoundSpeed(setup.Settings)),
+            0.5 * setup.Settings.DomainSize.x - Length, Stroke, WaveNumber);
 
         /// <summary>ω of the waves [1/s].</summary>
         internal static double Frequency => Math.Sqrt(Gravity * WaveNumber * Math.Tanh(WaveNumber * Depth));
 
-        static double Period => 2.0 * Math.PI / Frequency;
+        private static double Period => 2.0 * Math.PI / Frequency;
 
         // Its face is the flume's end; it goes on beyond the domain to all other sides.
-        static CaseBody Plate(Vector3 domain, double dx)
+        private static CaseBody Plate(Vector3 domain, double dx)
         {
             float room = (float)(4.0 * RoomBehind * dx), thick = room + (float)(RoomBehind * dx);
             float face = 0.5f * domain.x - (float)Length;
@@ -88,7 +90,7 @@ namespace SphFluid.Validation
             };
         }
 
-        static FluidParticle[] Water(in CaseParameters parameters, in FluidSolverSettings settings, int width, double dx)
+        private static FluidParticle[] Water(in CaseParameters parameters, in FluidSolverSettings settings, int width, double dx)
         {
             Vector3 domain = settings.DomainSize;
             int along = (int)Math.Round(Length / dx);

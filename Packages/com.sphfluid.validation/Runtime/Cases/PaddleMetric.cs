@@ -16,16 +16,16 @@ namespace SphFluid.Validation
         internal static readonly double[] Gauges = { 1.5, 3.5 };
 
         // Of the surface: the shortest is 4/5 of the depth long, 13 spacings at the base.
-        const int ModesPerLength = 5; // over 2 L/H
+        private const int ModesPerLength = 5; // over 2 L/H
 
         // Twice the time that the waves' energy takes to the first gauge, and a period more than it takes there by way of the far wall.
-        readonly double even, reflected;
-        readonly TankModes tank;
-        readonly double wall, stroke, frequency;
-        readonly double[] measured;
-        readonly List<double> times = new List<double>();
-        readonly List<double>[] levels = { new List<double>(), new List<double>() };
-        readonly List<double>[] exact = { new List<double>(), new List<double>() };
+        private readonly double even, reflected;
+        private readonly TankModes tank;
+        private readonly double wall, stroke, frequency;
+        private readonly double[] measured;
+        private readonly List<double> times = new List<double>();
+        private readonly List<double>[] levels = { new List<double>(), new List<double>() };
+        private readonly List<double>[] exact = { new List<double>(), new List<double>() };
 
         /// <summary>A metric for one run.</summary>
         /// <param name="tank">The flume.</param>
@@ -61,8 +61,8 @@ namespace SphFluid.Validation
         }
 
         /// <summary>
-        /// RMS over both gauges and time of the level's error over the exact level's; each gauge's; then of what swings with the paddle at the
-        /// first gauge the height over the linear waves' in the same time, less 1, and how late it is, in periods.
+        /// RMS over both gauges and time of the level's error over the exact level's; each gauge's; then of what swings with the paddle at
+        /// the first gauge the height over the linear waves' in the same time, less 1, and how late it is, in periods.
         /// </summary>
         public override IReadOnlyList<CaseError> Evaluate()
         {
@@ -99,9 +99,9 @@ namespace SphFluid.Validation
             return series;
         }
 
-        double Displacement(double time) => 0.5 * stroke * (1.0 - Math.Cos(frequency * time));
+        private double Displacement(double time) => 0.5 * stroke * (1.0 - Math.Cos(frequency * time));
 
-        double Squares(int gauge, bool error)
+        private double Squares(int gauge, bool error)
         {
             double sum = 0.0;
             for (int i = 0; i < times.Count; i++)
@@ -112,7 +112,7 @@ namespace SphFluid.Validation
             return sum;
         }
 
-        (double Height, double Late) EvenWaves()
+        private (double Height, double Late) EvenWaves()
         {
             (double amplitude, double phase) = Swing(levels[0]);
             (double exactAmplitude, double exactPhase) = Swing(exact[0]);
@@ -120,23 +120,22 @@ namespace SphFluid.Validation
         }
 
         // Least squares of A cos ωt + B sin ωt + C between the two times; not a number where the run is shorter.
-        (double Amplitude, double Phase) Swing(List<double> values)
+        private (double Amplitude, double Phase) Swing(List<double> values)
         {
             var m = new double[3, 4];
             for (int i = 0; i < times.Count; i++)
             {
-                if (times[i] < even || times[i] > reflected)
-                    continue;
+                if (times[i] < even || times[i] > reflected) continue;
                 double[] basis = { Math.Cos(frequency * times[i]), Math.Sin(frequency * times[i]), 1.0 };
                 for (int row = 0; row < 3; row++)
                 {
-                    for (int column = 0; column < 3; column++)
-                        m[row, column] += basis[row] * basis[column];
+                    for (int column = 0; column < 3; column++) m[row, column] += basis[row] * basis[column];
                     m[row, 3] += basis[row] * values[i];
                 }
             }
             double[] c = LinearSystem.Solve(m);
-            return c == null || !(times[times.Count - 1] >= reflected) ? (double.NaN, double.NaN) : (Math.Sqrt(c[0] * c[0] + c[1] * c[1]), Math.Atan2(c[1], c[0]));
+            return c == null || !(times[times.Count - 1] >= reflected) ? (double.NaN, double.NaN)
+                : (Math.Sqrt(c[0] * c[0] + c[1] * c[1]), Math.Atan2(c[1], c[0]));
         }
     }
 }

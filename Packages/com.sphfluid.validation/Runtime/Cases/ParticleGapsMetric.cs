@@ -9,9 +9,9 @@ namespace SphFluid.Validation
     {
         internal const string ErrorName = "particles within dx/2 of another, at the end";
 
-        readonly FluidSolverSettings settings;
-        readonly CaseSeries shares = new CaseSeries("share within dx/2");
-        double last = double.NaN, worst, nearest = 1.0, density;
+        private readonly FluidSolverSettings settings;
+        private readonly CaseSeries shares = new CaseSeries("share within dx/2");
+        private double last = double.NaN, worst, nearest = 1.0, density;
 
         /// <summary>A metric for one run.</summary>
         /// <param name="settings">The run's constants.</param>

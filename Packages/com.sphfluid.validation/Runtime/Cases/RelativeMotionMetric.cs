@@ -11,15 +11,15 @@ namespace SphFluid.Validation
     public sealed class RelativeMotionMetric : CaseMetric
     {
         internal const string ErrorName = "relative motion/(1e-4 dx + 10 ulp)";
-        const double Share = 1e-4;
-        const double Ulps = 10.0;
+        private const double Share = 1e-4;
+        private const double Ulps = 10.0;
 
-        readonly double spacing;
-        readonly List<double> times = new List<double>();
-        readonly List<double> motions = new List<double>();
-        Vector3[] start;
-        float[] reach;
-        double worst, farthest;
+        private readonly double spacing;
+        private readonly List<double> times = new List<double>();
+        private readonly List<double> motions = new List<double>();
+        private Vector3[] start;
+        private float[] reach;
+        private double worst, farthest;
 
         /// <summary>A metric for one run.</summary>
         /// <param name="spacing">dx [m].</param>
@@ -67,8 +67,7 @@ namespace SphFluid.Validation
         public override IReadOnlyList<CaseSeries> Series()
         {
             var series = new CaseSeries("relative motion/dx");
-            for (int i = 0; i < times.Count; i++)
-                series.Add(times[i], motions[i]);
+            for (int i = 0; i < times.Count; i++) series.Add(times[i], motions[i]);
             return new[] { series };
         }
 

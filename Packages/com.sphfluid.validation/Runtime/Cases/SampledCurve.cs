@@ -4,10 +4,10 @@ using System.Linq;
 namespace SphFluid.Validation
 {
     /// <summary>A curve through points with ascending abscissas, straight between them.</summary>
-    sealed class SampledCurve
+    internal sealed class SampledCurve
     {
-        readonly List<double> xs = new List<double>();
-        readonly List<double> ys = new List<double>();
+        private readonly List<double> xs = new List<double>();
+        private readonly List<double> ys = new List<double>();
 
         public int Count => xs.Count;
 
@@ -24,11 +24,9 @@ namespace SphFluid.Validation
         /// <summary>The ordinate at an abscissa; not a number beyond the ends.</summary>
         public double At(double x)
         {
-            if (xs.Count == 0 || !(x >= xs[0]) || x > LastX)
-                return double.NaN;
+            if (xs.Count == 0 || !(x >= xs[0]) || x > LastX) return double.NaN;
             int above = xs.BinarySearch(x);
-            if (above >= 0)
-                return ys[above];
+            if (above >= 0) return ys[above];
             above = ~above;
             double part = (x - xs[above - 1]) / (xs[above] - xs[above - 1]);
             return ys[above - 1] + part * (ys[above] - ys[above - 1]);
@@ -38,8 +36,7 @@ namespace SphFluid.Validation
         public CaseSeries ToSeries(string name, double scale, double shift)
         {
             var series = new CaseSeries(name);
-            for (int i = 0; i < xs.Count; i++)
-                series.Add(xs[i] * scale + shift, ys[i]);
+            for (int i = 0; i < xs.Count; i++) series.Add(xs[i] * scale + shift, ys[i]);
             return series;
         }
     }

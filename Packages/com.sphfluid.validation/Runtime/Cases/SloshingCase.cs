@@ -11,10 +11,10 @@ namespace SphFluid.Validation
     /// </summary>
     public sealed class SloshingCase : ValidationCase
     {
-        const double Edge = 1.0;
-        const double Gravity = 9.81;
-        const double Duration = 6.0;
-        const double Interval = 0.1;
+        private const double Edge = 1.0;
+        private const double Gravity = 9.81;
+        private const double Duration = 6.0;
+        private const double Interval = 0.1;
 
         /// <inheritdoc/>
         public override string Name => "sloshing";

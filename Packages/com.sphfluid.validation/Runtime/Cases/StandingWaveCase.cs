@@ -16,13 +16,13 @@ namespace SphFluid.Validation
     /// </summary>
     public sealed class StandingWaveCase : ValidationCase
     {
-        const double Length = 2.0, Depth = 1.0, Amplitude = 0.05, Gravity = 1.0, Viscosity = 0.004;
-        const double WaveNumber = 2.0 * Math.PI / Length;
-        const double SamplesPerPeriod = 32.0;
+        private const double Length = 2.0, Depth = 1.0, Amplitude = 0.05, Gravity = 1.0, Viscosity = 0.004;
+        private const double WaveNumber = 2.0 * Math.PI / Length;
+        private const double SamplesPerPeriod = 32.0;
 
         // The start sinks by about a spacing, as the method has too little density at the surface and the floor. Meanwhile the
         // liquid falls and the wave waits: the first half period is not fitted.
-        const double FitFrom = 0.5, Lasts = 2.5; // periods
+        private const double FitFrom = 0.5, Lasts = 2.5; // periods
 
         /// <inheritdoc/>
         public override string Name => "standing-wave";
@@ -37,12 +37,15 @@ namespace SphFluid.Validation
         public override string Title => "Standing wave";
 
         /// <inheritdoc/>
-        public override string Source => "linear waves, ω² = g k tanh kH, energy as e^(−4νk²t); set-up of AQUAgpusph, souto_etal_2012_standingwave";
+        public override string Source =>
+            "linear waves, ω² = g k tanh kH, energy as e^(−4νk²t); set-up of AQUAgpusph, souto_etal_2012_standingwave";
 
         /// <inheritdoc/>
         public override string ErrorName => StandingWaveMetric.ErrorName;
 
-        /// <summary>A wave of finite amplitude is slower by (ka)²/8 in deep water (Penney and Price 1952), which linear theory leaves out.</summary>
+        /// <summary>
+        /// A wave of finite amplitude is slower by (ka)²/8 in deep water (Penney and Price 1952), which linear theory leaves out.
+        /// </summary>
         public override double Floor => WaveNumber * WaveNumber * Amplitude * Amplitude / 8.0;
 
         /// <inheritdoc/>
@@ -71,15 +74,16 @@ namespace SphFluid.Validation
 
         /// <inheritdoc/>
         public override CaseMetric CreateMetric(in CaseParameters parameters, CaseSetup setup) =>
-            new StandingWaveMetric(-0.5 * setup.Settings.DomainSize.y, Depth, WaveNumber, Frequency, Viscosity, Amplitude, FitFrom * Period);
+            new StandingWaveMetric(-0.5 * setup.Settings.DomainSize.y, Depth, WaveNumber, Frequency, Viscosity, Amplitude,
+                FitFrom * Period);
 
         /// <summary>ω = √(g k tanh kH) [1/s].</summary>
         internal static double Frequency => Math.Sqrt(Gravity * WaveNumber * Math.Tanh(WaveNumber * Depth));
 
-        static double Period => 2.0 * Math.PI / Frequency;
+        private static double Period => 2.0 * Math.PI / Frequency;
 
         // A lattice at rest, moved as the linear wave moves it at its crest: −a sin kx cosh ky/sinh kH, a cos kx sinh ky/sinh kH.
-        static FluidParticle[] Wave(in CaseParameters parameters, in FluidSolverSettings settings, int width, double dx)
+        private static FluidParticle[] Wave(in CaseParameters parameters, in FluidSolverSettings settings, int width, double dx)
         {
             Vector3 domain = settings.DomainSize;
             double m = WallCaseSetup.Stiffness(parameters, settings);

@@ -13,11 +13,11 @@ namespace SphFluid.Validation
         internal const string ErrorName = "period";
 
         // Of H: a compression that no set-up of the sound speed explains.
-        const double LeastDepth = 0.6;
+        private const double LeastDepth = 0.6;
 
-        readonly double floor, depth, waveNumber, frequency, viscosity, amplitude, begin;
-        readonly List<double> times = new List<double>();
-        readonly List<double> modes = new List<double>();
+        private readonly double floor, depth, waveNumber, frequency, viscosity, amplitude, begin;
+        private readonly List<double> times = new List<double>();
+        private readonly List<double> modes = new List<double>();
 
         /// <summary>A metric for one run.</summary>
         /// <param name="floor">Height of the floor [m], simulation space.</param>
@@ -27,7 +27,8 @@ namespace SphFluid.Validation
         /// <param name="viscosity">ν set [m²/s].</param>
         /// <param name="amplitude">Amplitude at the start [m].</param>
         /// <param name="begin">Time from which the oscillation is fitted [s].</param>
-        public StandingWaveMetric(double floor, double depth, double waveNumber, double frequency, double viscosity, double amplitude, double begin)
+        public StandingWaveMetric(double floor, double depth, double waveNumber, double frequency, double viscosity, double amplitude,
+            double begin)
         {
             this.floor = floor;
             this.depth = depth;
@@ -48,7 +49,9 @@ namespace SphFluid.Validation
                 height += 2.0 * (state.LocalPositions[i].y - floor) / state.Count;
             }
             if (!(height > LeastDepth * depth))
+            {
                 Failure = FormattableString.Invariant($"the liquid has sunk to {100.0 * height / depth:0} % of its depth");
+            }
             times.Add(time);
             modes.Add(2.0 * depth * sum / state.Count);
         }
@@ -62,7 +65,8 @@ namespace SphFluid.Validation
             int first = times.FindIndex(t => t >= begin);
             DampedOscillationFit fit = first < 0
                 ? null
-                : DampedOscillationFit.Of(times.GetRange(first, times.Count - first), modes.GetRange(first, times.Count - first), frequency);
+                : DampedOscillationFit.Of(times.GetRange(first, times.Count - first),
+                    modes.GetRange(first, times.Count - first), frequency);
             double period = fit == null ? double.NaN : frequency / fit.Frequency - 1.0;
             double effective = fit == null ? double.NaN : fit.DampingRate / (2.0 * waveNumber * waveNumber);
             return new[]

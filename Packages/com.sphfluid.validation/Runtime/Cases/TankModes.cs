@@ -9,9 +9,9 @@ namespace SphFluid.Validation
     /// at rest has none. That counts mass; weight compresses the liquid to 1 + gH/c² at the floor, and a surface that rises by η takes
     /// η (1 + gH/c²) of it at rest density.</para>
     /// </summary>
-    sealed class TankModes
+    internal sealed class TankModes
     {
-        readonly double gravity, compression;
+        private readonly double gravity, compression;
 
         /// <summary>A tank.</summary>
         /// <param name="length">L [m].</param>
@@ -45,8 +45,7 @@ namespace SphFluid.Validation
         public double Level(double[] modes, double x)
         {
             double level = 0.0;
-            for (int n = 1; n <= modes.Length; n++)
-                level += modes[n - 1] * Math.Cos(WaveNumber(n) * x);
+            for (int n = 1; n <= modes.Length; n++) level += modes[n - 1] * Math.Cos(WaveNumber(n) * x);
             return level;
         }
 
@@ -54,7 +53,8 @@ namespace SphFluid.Validation
         /// <param name="state">The particles.</param>
         /// <param name="wall">x of the end wall that x is counted from [m], simulation space.</param>
         /// <param name="modes">Takes them.</param>
-        /// <param name="displaced">How far that wall has moved into the liquid [m]: where it was there is none now, and that is no mode of the surface.</param>
+        /// <param name="displaced">How far that wall has moved into the liquid [m]: where it was there is none now, and that is no mode of
+        /// the surface.</param>
         public void Measure(FluidSnapshot state, double wall, double[] modes, double displaced = 0.0)
         {
             Array.Clear(modes, 0, modes.Length);
@@ -70,10 +70,15 @@ namespace SphFluid.Validation
                 }
             }
             for (int n = 0; n < modes.Length; n++)
+            {
                 modes[n] = (2.0 * Depth * modes[n] / state.Count + 2.0 * Depth * displaced / Length) / compression;
+            }
         }
 
-        /// <summary>Mode n of a tank that starts to be pushed along x by an acceleration a at time zero, in the tank's frame: the liquid is at rest under gravity before [m].</summary>
+        /// <summary>
+        /// Mode n of a tank that starts to be pushed along x by an acceleration a at time zero, in the tank's frame: the liquid is at rest
+        /// under gravity before [m].
+        /// </summary>
         /// <param name="n">1 or more.</param>
         /// <param name="slope">a/g, of the level that it swings about.</param>
         /// <param name="time">t [s].</param>

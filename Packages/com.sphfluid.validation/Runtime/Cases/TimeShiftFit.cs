@@ -3,11 +3,11 @@ using System;
 namespace SphFluid.Validation
 {
     /// <summary>Holds a curve against points whose clock may have started earlier or later than the curve's.</summary>
-    static class TimeShiftFit
+    internal static class TimeShiftFit
     {
-        const int Trials = 100;
-        const double Tolerance = 1e-6;
-        static readonly double goldenSection = 0.5 * (Math.Sqrt(5.0) - 1.0);
+        private const int Trials = 100;
+        private const double Tolerance = 1e-6;
+        private static readonly double goldenSection = 0.5 * (Math.Sqrt(5.0) - 1.0);
 
         /// <summary>Root mean square of curve(x_i + shift)/y_i − 1; not a number where the curve does not reach.</summary>
         public static double RelativeRms(SampledCurve curve, double[] xs, double[] ys, int first, double shift)
@@ -21,7 +21,9 @@ namespace SphFluid.Validation
             return Math.Sqrt(sum / (xs.Length - first));
         }
 
-        /// <summary>The shift of least <see cref="RelativeRms"/> within ±<paramref name="range"/>; not a number where none can be had.</summary>
+        /// <summary>
+        /// The shift of least <see cref="RelativeRms"/> within ±<paramref name="range"/>; not a number where none can be had.
+        /// </summary>
         public static double Best(SampledCurve curve, double[] xs, double[] ys, int first, double range)
         {
             // The best of evenly spaced trials first: with noise there is more than one minimum.

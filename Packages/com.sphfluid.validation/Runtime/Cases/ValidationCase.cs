@@ -35,7 +35,9 @@ namespace SphFluid.Validation
         /// <summary>Name of an error that the chart shows beside the main one, in a panel of its own; null for none.</summary>
         public virtual string CompanionErrorName => null;
 
-        /// <summary>Words for the kind of flow by which <c>choose</c> finds the case, for instance "splash"; no two cases share one.</summary>
+        /// <summary>
+        /// Words for the kind of flow by which <c>choose</c> finds the case, for instance "splash"; no two cases share one.
+        /// </summary>
         public virtual IReadOnlyList<string> Words => System.Array.Empty<string>();
 
         /// <summary>What <see cref="CaseParameters.Resolution"/> divides, for instance "depth of the water".</summary>

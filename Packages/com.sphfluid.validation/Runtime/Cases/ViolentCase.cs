@@ -5,22 +5,23 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>
-    /// A block of water is thrown at 4 m/s in a closed box: it hits a wall, rises, falls back and comes to rest. With frames of 1/60 s it goes more than three
-    /// spacings a frame. Nothing works on it, so its energy may fall but not grow; nobody leaves the box; and in the end it stands as high as its volume.
+    /// A block of water is thrown at 4 m/s in a closed box: it hits a wall, rises, falls back and comes to rest. With frames of 1/60 s it
+    /// goes more than three spacings a frame. Nothing works on it, so its energy may fall but not grow; nobody leaves the box; and in the
+    /// end it stands as high as its volume.
     /// </summary>
     public sealed class ViolentCase : ValidationCase
     {
         /// <summary>A frame [s]: the method Robust cuts it into four steps at the base.</summary>
         public const double Frame = 1.0 / 60.0;
 
-        const double Speed = 4.0;
-        const double Viscosity = 0.002;
-        const double Gravity = 9.81;
-        const double Width = 0.32; // of the block
-        const double Height = 0.4, Length = 0.8, Depth = 0.2, Ceiling = 1.2;
-        const double Duration = 3.0;
-        const int Substeps = 4;
-        const double BaseFraction = 0.75;
+        private const double Speed = 4.0;
+        private const double Viscosity = 0.002;
+        private const double Gravity = 9.81;
+        private const double Width = 0.32; // of the block
+        private const double Height = 0.4, Length = 0.8, Depth = 0.2, Ceiling = 1.2;
+        private const double Duration = 3.0;
+        private const int Substeps = 4;
+        private const double BaseFraction = 0.75;
 
         /// <inheritdoc/>
         public override string Name => "violent";
@@ -46,7 +47,10 @@ namespace SphFluid.Validation
         /// <inheritdoc/>
         public override CaseParameters Base(CaseMethod method) => CaseParameters.At(method, 16, 5.0, 0.03);
 
-        /// <summary>A block <see cref="CaseParameters.Resolution"/> particles wide; speeds are over that of the block at the foot of its fall, 4.9 m/s.</summary>
+        /// <summary>
+        /// A block <see cref="CaseParameters.Resolution"/> particles wide; speeds are over that of the block at the foot of its fall, 4.9
+        /// m/s.
+        /// </summary>
         /// <inheritdoc/>
         public override CaseSetup Build(in CaseParameters parameters)
         {
@@ -76,6 +80,8 @@ namespace SphFluid.Validation
 
         /// <inheritdoc/>
         public override CaseMetric CreateMetric(in CaseParameters parameters, CaseSetup setup) =>
-            new ViolentMetric(setup.Settings, setup.Particles.Length * Math.Pow(setup.Settings.Spacing, 3.0) / (setup.Settings.DomainSize.x * (double)setup.Settings.DomainSize.z));
+            new ViolentMetric(setup.Settings,
+                setup.Particles.Length * Math.Pow(setup.Settings.Spacing, 3.0) /
+                    (setup.Settings.DomainSize.x * (double)setup.Settings.DomainSize.z));
     }
 }

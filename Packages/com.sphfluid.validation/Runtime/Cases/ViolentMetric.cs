@@ -10,11 +10,11 @@ namespace SphFluid.Validation
         internal const string HeightName = "height at the end over its volume's";
         internal const string DensityName = "largest density/ρ0";
 
-        readonly FluidSolverSettings settings;
-        readonly double depth;
-        readonly List<double> times = new List<double>();
-        readonly List<double> energies = new List<double>();
-        double height, densest, speed;
+        private readonly FluidSolverSettings settings;
+        private readonly double depth;
+        private readonly List<double> times = new List<double>();
+        private readonly List<double> energies = new List<double>();
+        private double height, densest, speed;
 
         /// <summary>A metric for one run.</summary>
         /// <param name="settings">The run's constants; gravity acts along −y.</param>
@@ -47,8 +47,7 @@ namespace SphFluid.Validation
         public override IReadOnlyList<CaseError> Evaluate()
         {
             double start = energies.Count > 0 ? energies[0] : double.NaN, largest = start;
-            foreach (double energy in energies)
-                largest = Math.Max(largest, energy);
+            foreach (double energy in energies) largest = Math.Max(largest, energy);
             return new[]
             {
                 new CaseError(ErrorName, largest / start - 1.0),
@@ -62,11 +61,10 @@ namespace SphFluid.Validation
         public override IReadOnlyList<CaseSeries> Series()
         {
             var series = new CaseSeries("E/E0");
-            for (int i = 0; i < times.Count; i++)
-                series.Add(times[i], energies[i] / energies[0]);
+            for (int i = 0; i < times.Count; i++) series.Add(times[i], energies[i] / energies[0]);
             return new[] { series };
         }
 
-        static double Square(UnityEngine.Vector3 v) => (double)v.x * v.x + (double)v.y * v.y + (double)v.z * v.z;
+        private static double Square(UnityEngine.Vector3 v) => (double)v.x * v.x + (double)v.y * v.y + (double)v.z * v.z;
     }
 }

@@ -5,7 +5,7 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>What the cases between walls share: thin periodic boxes, columns at rest, checks.</summary>
-    static class WallCaseSetup
+    internal static class WallCaseSetup
     {
         /// <summary>
         /// Least number of particles along a periodic axis: three cells of R, κ = 2.5 needs 8; two of 2R where the text as
@@ -21,12 +21,17 @@ namespace SphFluid.Validation
         /// <exception cref="ArgumentException">One cannot be run.</exception>
         public static void Require(in CaseParameters parameters, string name, int leastResolution)
         {
-            if (parameters.Method == null)
-                throw new ArgumentException($"{name}: no method is given.");
+            if (parameters.Method == null) throw new ArgumentException($"{name}: no method is given.");
             if (parameters.Resolution < leastResolution)
-                throw new ArgumentException($"{name}: the resolution is {parameters.Resolution}; it must be {leastResolution} particles or more.");
+            {
+                throw new ArgumentException(
+                    $"{name}: the resolution is {parameters.Resolution}; it must be {leastResolution} particles or more.");
+            }
             if (!(parameters.Jitter >= 0.0) || parameters.Jitter > 0.3)
-                throw new ArgumentException(FormattableString.Invariant($"{name}: the jitter is {parameters.Jitter}; it must be 0 to 0.3 spacings."));
+            {
+                throw new ArgumentException(
+                    FormattableString.Invariant($"{name}: the jitter is {parameters.Jitter}; it must be 0 to 0.3 spacings."));
+            }
         }
 
         /// <summary>
@@ -53,10 +58,14 @@ namespace SphFluid.Validation
             return parameters.SoundSpeedRatio * parameters.SoundSpeedRatio * softening * softening;
         }
 
-        /// <summary>A particle at rest on a place of the start, jittered, and inside the domain: wrapped along periodic axes, kept from walls.</summary>
-        public static FluidParticle Particle(Vector3 place, uint id, double deviation, System.Random random, in FluidSolverSettings settings)
+        /// <summary>
+        /// A particle at rest on a place of the start, jittered, and inside the domain: wrapped along periodic axes, kept from walls.
+        /// </summary>
+        public static FluidParticle Particle(Vector3 place, uint id, double deviation, System.Random random,
+            in FluidSolverSettings settings)
         {
-            Vector3 position = place + (float)deviation * new Vector3(CaseLattice.Normal(random), CaseLattice.Normal(random), CaseLattice.Normal(random));
+            Vector3 position = place +
+                (float)deviation * new Vector3(CaseLattice.Normal(random), CaseLattice.Normal(random), CaseLattice.Normal(random));
             FluidAxes periodic = settings.Boundaries.Periodic;
             for (int axis = 0; axis < 3; axis++)
             {

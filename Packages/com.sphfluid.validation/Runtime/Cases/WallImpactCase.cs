@@ -5,15 +5,15 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>
-    /// Buchner's dam break of 2002: water of 1.2 × 0.6 m runs along a dry floor, hits the wall at the other end, 3.22 m from the closed one,
-    /// and runs up it. What the wall feels at a gauge near the floor, until the water comes back. A thin slab, periodic across.
+    /// Buchner's dam break of 2002: water of 1.2 × 0.6 m runs along a dry floor, hits the wall at the other end, 3.22 m from the closed
+    /// one, and runs up it. What the wall feels at a gauge near the floor, until the water comes back. A thin slab, periodic across.
     /// </summary>
     public sealed class WallImpactCase : ValidationCase
     {
-        const double Gravity = 9.81;
-        const double TankHeight = 3.0; // over the water's
-        const double LastTime = 5.4; // in √(H/g)
-        const double Interval = 0.05;
+        private const double Gravity = 9.81;
+        private const double TankHeight = 3.0; // over the water's
+        private const double LastTime = 5.4; // in √(H/g)
+        private const double Interval = 0.05;
 
         /// <inheritdoc/>
         public override string Name => "wall-impact";
@@ -37,7 +37,8 @@ namespace SphFluid.Validation
         public override double Floor => 0.1;
 
         /// <inheritdoc/>
-        public override string Caution => "One experiment, without its scatter; its gate holds the water back, so one shift in time is taken out. " +
+        public override string Caution =>
+            "One experiment, without its scatter; its gate holds the water back, so one shift in time is taken out. " +
             "The gauge is 90 mm wide, three spacings of the base.";
 
         /// <inheritdoc/>
@@ -52,7 +53,9 @@ namespace SphFluid.Validation
         {
             WallCaseSetup.Require(parameters, Name, 8);
             if (!parameters.Method.FeelsWalls)
+            {
                 throw new ArgumentException($"{Name}: the method {parameters.Method.Name} does not sum the force on walls.");
+            }
             const double height = BuchnerPressure.WaterHeight;
             double dx = height / parameters.Resolution;
             int rows = WallCaseSetup.PeriodicCount(parameters);
@@ -60,7 +63,8 @@ namespace SphFluid.Validation
             double speed = Math.Sqrt(2.0 * Gravity * height), unit = Math.Sqrt(height / Gravity);
             return new CaseSetup
             {
-                Settings = CaseSettings.For(parameters, domain, dx, speed, new Vector3(0f, -(float)Gravity, 0f), null, new FluidBoundaries { Periodic = FluidAxes.Z }),
+                Settings = CaseSettings.For(parameters, domain, dx, speed, new Vector3(0f, -(float)Gravity, 0f), null,
+                    new FluidBoundaries { Periodic = FluidAxes.Z }),
                 Particles = Water(parameters, domain, rows, dx, speed),
                 Patches = new[] { Gauge(domain) },
                 Duration = LastTime * unit,
@@ -77,15 +81,16 @@ namespace SphFluid.Validation
         }
 
         // As wide as the slab, and as high as the square of the round gauge's area.
-        static CasePatch Gauge(Vector3 domain)
+        private static CasePatch Gauge(Vector3 domain)
         {
             double side = BuchnerPressure.GaugeDiameter * Math.Sqrt(0.25 * Math.PI);
-            return new CasePatch(new Vector3(0.5f * domain.x, (float)BuchnerPressure.GaugeHeight - 0.5f * domain.y, 0f), Vector3.left, Vector3.up,
+            return new CasePatch(new Vector3(0.5f * domain.x, (float)BuchnerPressure.GaugeHeight - 0.5f * domain.y, 0f),
+                Vector3.left, Vector3.up,
                 new Vector2(domain.z, (float)side));
         }
 
         // Compressed by its own weight, as it stands behind the gate.
-        static FluidParticle[] Water(in CaseParameters parameters, Vector3 domain, int rows, double dx, double speed)
+        private static FluidParticle[] Water(in CaseParameters parameters, Vector3 domain, int rows, double dx, double speed)
         {
             double sound = parameters.SoundSpeedRatio * speed, height = BuchnerPressure.WaterHeight, m = sound * sound / (Gravity * height);
             List<Vector3> positions = CaseLattice.Box(new Vector3Int(2 * parameters.Resolution, parameters.Resolution, rows), dx,

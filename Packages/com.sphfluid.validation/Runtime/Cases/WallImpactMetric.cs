@@ -16,13 +16,13 @@ namespace SphFluid.Validation
         public const double LargestShift = 0.3;
 
         // In √(H/g): the record in equal parts, and where the pressure is even.
-        const double Part = 0.05, EvenFrom = 3.3, EvenTo = 5.0;
+        private const double Part = 0.05, EvenFrom = 3.3, EvenTo = 5.0;
 
-        static readonly SampledCurve record = Record();
+        private static readonly SampledCurve record = Record();
 
-        readonly double time, pressure;
-        readonly SampledCurve measured = new SampledCurve();
-        double last;
+        private readonly double time, pressure;
+        private readonly SampledCurve measured = new SampledCurve();
+        private double last;
 
         /// <summary>A metric for one run.</summary>
         /// <param name="time">√(H/g) [s].</param>
@@ -37,8 +37,7 @@ namespace SphFluid.Validation
         public override void Read(double time, CaseReadings readings)
         {
             // A mean between two samples is that of the time between them.
-            if (time > 0.0 && readings.Pressures.Count > 0)
-                measured.Add(0.5 * (last + time) / this.time, readings.Pressures[0] / pressure);
+            if (time > 0.0 && readings.Pressures.Count > 0) measured.Add(0.5 * (last + time) / this.time, readings.Pressures[0] / pressure);
             last = time;
         }
 
@@ -48,8 +47,8 @@ namespace SphFluid.Validation
         }
 
         /// <summary>
-        /// RMS of the pressure's error over the record's after the shift of least error; without it; the shift, positive where the record is
-        /// later; the mean while the pressure is even, and the highest, over the record's, less 1.
+        /// RMS of the pressure's error over the record's after the shift of least error; without it; the shift, positive where the record
+        /// is later; the mean while the pressure is even, and the highest, over the record's, less 1.
         /// </summary>
         public override IReadOnlyList<CaseError> Evaluate()
         {
@@ -68,33 +67,30 @@ namespace SphFluid.Validation
         public override IReadOnlyList<CaseSeries> Series()
         {
             var exact = new CaseSeries("Buchner's gauge", true);
-            foreach ((double x, double y) in record.Points)
-                exact.Add(x, y);
+            foreach ((double x, double y) in record.Points) exact.Add(x, y);
             return new[] { exact, measured.ToSeries("gauge", 1.0, 0.0) };
         }
 
-        static SampledCurve Record()
+        private static SampledCurve Record()
         {
             var curve = new SampledCurve();
-            for (int i = 0; i < BuchnerPressure.Times.Length; i++)
-                curve.Add(BuchnerPressure.Times[i], BuchnerPressure.Pressures[i]);
+            for (int i = 0; i < BuchnerPressure.Times.Length; i++) curve.Add(BuchnerPressure.Times[i], BuchnerPressure.Pressures[i]);
             return curve;
         }
 
-        double BestShift()
+        private double BestShift()
         {
             double best = double.NaN, least = double.PositiveInfinity;
             for (int i = -300; i <= 300; i++)
             {
                 double rms = Rms(LargestShift * i / 300.0);
-                if (rms < least)
-                    (least, best) = (rms, LargestShift * i / 300.0);
+                if (rms < least) (least, best) = (rms, LargestShift * i / 300.0);
             }
             return best;
         }
 
         // Of p(t + shift) against the record at t; not a number where the run does not reach.
-        double Rms(double shift)
+        private double Rms(double shift)
         {
             double squares = 0.0, own = 0.0;
             for (double t = BuchnerPressure.Times[0]; t <= record.LastX - LargestShift; t += Part)
@@ -106,21 +102,19 @@ namespace SphFluid.Validation
             return Math.Sqrt(squares / own);
         }
 
-        static double Mean(SampledCurve curve, double shift)
+        private static double Mean(SampledCurve curve, double shift)
         {
             double sum = 0.0;
             int count = 0;
-            for (double t = EvenFrom; t <= EvenTo; t += Part, count++)
-                sum += curve.At(t + shift);
+            for (double t = EvenFrom; t <= EvenTo; t += Part, count++) sum += curve.At(t + shift);
             return sum / count;
         }
 
         // From the first hit on, and before the water comes back.
-        static double Highest(SampledCurve curve)
+        private static double Highest(SampledCurve curve)
         {
             double highest = double.NegativeInfinity;
-            foreach ((double x, double y) in curve.Points)
-                highest = x <= EvenTo ? Math.Max(highest, y) : highest;
+            foreach ((double x, double y) in curve.Points) highest = x <= EvenTo ? Math.Max(highest, y) : highest;
             return highest;
         }
     }

@@ -4,10 +4,10 @@ using System.Linq;
 namespace SphFluid.Validation
 {
     /// <summary>The curves of a case that a chart's folder has: those of each method's run, and the references.</summary>
-    sealed class CaseCurves
+    internal sealed class CaseCurves
     {
-        readonly List<CaseSeries> references = new List<CaseSeries>();
-        readonly List<Run> runs = new List<Run>();
+        private readonly List<CaseSeries> references = new List<CaseSeries>();
+        private readonly List<Run> runs = new List<Run>();
 
         /// <summary>Reads them.</summary>
         /// <param name="validationCase">The case.</param>
@@ -16,12 +16,11 @@ namespace SphFluid.Validation
         {
             for (int m = 0; m < CaseMethod.All.Count; m++)
             {
-                IReadOnlyList<CaseSeries> curves = CurveFile.Read(folder, validationCase.Name, CaseMethod.All[m].Name, out string constants);
-                foreach (CaseSeries reference in curves.Where(c => c.IsReference))
-                    Keep(reference);
+                IReadOnlyList<CaseSeries> curves =
+                    CurveFile.Read(folder, validationCase.Name, CaseMethod.All[m].Name, out string constants);
+                foreach (CaseSeries reference in curves.Where(c => c.IsReference)) Keep(reference);
                 List<CaseSeries> measured = curves.Where(c => !c.IsReference).ToList();
-                if (measured.Count > 0)
-                    runs.Add(new Run(m, constants, measured));
+                if (measured.Count > 0) runs.Add(new Run(m, constants, measured));
             }
         }
 
@@ -32,7 +31,7 @@ namespace SphFluid.Validation
         public IReadOnlyList<Run> Runs => runs;
 
         // A run that ends early has a reference that ends there too.
-        void Keep(CaseSeries reference)
+        private void Keep(CaseSeries reference)
         {
             int known = references.FindIndex(r => r.Name == reference.Name);
             if (known < 0)
@@ -41,7 +40,7 @@ namespace SphFluid.Validation
                 references[known] = reference;
         }
 
-        static double End(CaseSeries curve) => curve.X.Count == 0 ? double.NegativeInfinity : curve.X.Max();
+        private static double End(CaseSeries curve) => curve.X.Count == 0 ? double.NegativeInfinity : curve.X.Max();
 
         /// <summary>The curves of a method's run.</summary>
         public sealed class Run

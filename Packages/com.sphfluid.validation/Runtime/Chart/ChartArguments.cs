@@ -8,13 +8,13 @@ namespace SphFluid.Validation
     public sealed class ChartArguments : MeasuringArguments
     {
         // However busy the machine is, a quick chart stops after this time.
-        const double QuickMinutes = 9.0;
+        private const double QuickMinutes = 9.0;
 
-        readonly List<ValidationCase> cases = new List<ValidationCase>();
-        readonly List<CaseMethod> methods = new List<CaseMethod>();
-        readonly int chartedCount;
+        private readonly List<ValidationCase> cases = new List<ValidationCase>();
+        private readonly List<CaseMethod> methods = new List<CaseMethod>();
+        private readonly int chartedCount;
 
-        ChartArguments(IReadOnlyList<ValidationCase> charted) : base("chart", "Build/chart")
+        private ChartArguments(IReadOnlyList<ValidationCase> charted) : base("chart", "Build/chart")
         {
             chartedCount = charted.Count;
             AddQuick("fewer points: below ten minutes on two CPU cores");
@@ -43,17 +43,14 @@ namespace SphFluid.Validation
         {
             ChartArguments result = Of(known);
             result.Read(commandLine);
-            if (result.cases.Count == 0)
-                result.cases.AddRange(Charted(known));
-            if (result.methods.Count == 0)
-                result.methods.AddRange(CaseMethod.All);
-            if (result.Quick && !result.Slice.HasValue)
-                result.Slice = TimeSpan.FromMinutes(QuickMinutes);
+            if (result.cases.Count == 0) result.cases.AddRange(Charted(known));
+            if (result.methods.Count == 0) result.methods.AddRange(CaseMethod.All);
+            if (result.Quick && !result.Slice.HasValue) result.Slice = TimeSpan.FromMinutes(QuickMinutes);
             return result;
         }
 
         internal static ChartArguments Of(IReadOnlyList<ValidationCase> known) => new ChartArguments(Charted(known));
 
-        static ValidationCase[] Charted(IReadOnlyList<ValidationCase> known) => known.Where(c => !c.IsGate).ToArray();
+        private static ValidationCase[] Charted(IReadOnlyList<ValidationCase> known) => known.Where(c => !c.IsGate).ToArray();
     }
 }

@@ -8,12 +8,12 @@ namespace SphFluid.Validation
     /// <summary>A logarithmic axis with labels that suit its length.</summary>
     public readonly struct ChartAxis
     {
-        const double LeastSpan = 4.0;
-        const double Margin = 1.35;
-        const double LongestWithThrees = 12.0;
-        const double LongestWithHalves = 300.0;
+        private const double LeastSpan = 4.0;
+        private const double Margin = 1.35;
+        private const double LongestWithThrees = 12.0;
+        private const double LongestWithHalves = 300.0;
 
-        ChartAxis(double low, double high)
+        private ChartAxis(double low, double high)
         {
             Low = low;
             High = high;
@@ -32,8 +32,7 @@ namespace SphFluid.Validation
         public static ChartAxis Of(IEnumerable<double> values, double below = 0.0, double above = 0.0)
         {
             List<double> shown = values.Where(v => v > 0.0 && !double.IsInfinity(v)).ToList();
-            if (shown.Count == 0)
-                shown.AddRange(new[] { 0.01, 1.0 });
+            if (shown.Count == 0) shown.AddRange(new[] { 0.01, 1.0 });
             double low = shown.Min() / Margin, high = shown.Max() * Margin;
             double missing = Math.Sqrt(Math.Max(1.0, LeastSpan / (high / low)));
             low /= missing;
@@ -41,8 +40,11 @@ namespace SphFluid.Validation
             return new ChartAxis(low / Math.Pow(high / low, below), high * Math.Pow(high / low, above));
         }
 
-        /// <summary>The labelled values: 1, 2, 3, 5, 10, ... on a short axis, without the 3 on a longer one, powers of ten on a long one.</summary>
-        public IReadOnlyList<double> Tics() => Multiples(High / Low <= LongestWithThrees ? "1235" : High / Low <= LongestWithHalves ? "125" : "1");
+        /// <summary>
+        /// The labelled values: 1, 2, 3, 5, 10, ... on a short axis, without the 3 on a longer one, powers of ten on a long one.
+        /// </summary>
+        public IReadOnlyList<double> Tics() =>
+            Multiples(High / Low <= LongestWithThrees ? "1235" : High / Low <= LongestWithHalves ? "125" : "1");
 
         /// <summary>The value as a part of a hundred: 0.02 is "2 %", 10 is "1k %".</summary>
         public static string Percent(double value) => Short(100.0 * value) + " %";
@@ -64,16 +66,16 @@ namespace SphFluid.Validation
         }
 
         // The digits times powers of ten that lie on the axis.
-        IReadOnlyList<double> Multiples(string digits)
+        private IReadOnlyList<double> Multiples(string digits)
         {
             var values = new List<double>();
             for (int exponent = (int)Math.Floor(Math.Log10(Low)); exponent <= (int)Math.Ceiling(Math.Log10(High)); exponent++)
             {
                 foreach (char digit in digits)
                 {
-                    double value = double.Parse(digit + "e" + exponent.ToString(CultureInfo.InvariantCulture), NumberStyles.Float, CultureInfo.InvariantCulture);
-                    if (value >= Low && value <= High)
-                        values.Add(value);
+                    double value = double.Parse(digit + "e" + exponent.ToString(CultureInfo.InvariantCulture), NumberStyles.Float,
+                        CultureInfo.InvariantCulture);
+                    if (value >= Low && value <= High) values.Add(value);
                 }
             }
             return values;

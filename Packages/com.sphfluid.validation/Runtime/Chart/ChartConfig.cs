@@ -7,15 +7,15 @@ namespace SphFluid.Validation
     public sealed class ChartConfig
     {
         // Standard deviation of the start's jitter over dx.
-        const double Jitter = 0.01;
+        private const double Jitter = 0.01;
 
-        CaseParameters parameters;
-        bool built;
-        double spacing = double.NaN;
-        int particles;
-        double steps, timeStep, speed, softening = 1.0;
-        bool hasGravity;
-        string problem;
+        private CaseParameters parameters;
+        private bool built;
+        private double spacing = double.NaN;
+        private int particles;
+        private double steps, timeStep, speed, softening = 1.0;
+        private bool hasGravity;
+        private string problem;
 
         /// <summary>A point.</summary>
         /// <param name="validationCase">The case.</param>
@@ -62,7 +62,9 @@ namespace SphFluid.Validation
         /// <summary>The case's own speed [m/s].</summary>
         public double Speed => Built().speed;
 
-        /// <summary>Speed of sound that the liquid has in its steps over the case's own speed: less than asked for with the method Robust.</summary>
+        /// <summary>
+        /// Speed of sound that the liquid has in its steps over the case's own speed: less than asked for with the method Robust.
+        /// </summary>
         public double EffectiveSoundSpeedRatio => SoundSpeedRatio * Built().softening;
 
         /// <summary>Whether gravity moves the liquid, so that its speed follows from its size.</summary>
@@ -90,15 +92,17 @@ namespace SphFluid.Validation
         public override string ToString() => $"{Case.Name}, {Method.Name}, {Constants}";
 
         internal static string ConstantsOf(double spacing, double supportRatio, double timeStepFraction, double soundSpeedRatio) =>
-            string.Format(CultureInfo.InvariantCulture, "dx {0:G3} m, κ {1:G4}, dt {2:G3}, c {3:G3}", spacing, supportRatio, timeStepFraction, soundSpeedRatio);
+            string.Format(CultureInfo.InvariantCulture, "dx {0:G3} m, κ {1:G4}, dt {2:G3}, c {3:G3}", spacing, supportRatio,
+                timeStepFraction, soundSpeedRatio);
 
-        internal static string KeyOf(string caseName, string method, double spacing, double supportRatio, double timeStepFraction, double soundSpeedRatio) =>
-            string.Join("|", caseName, method, CsvText.Text(spacing), CsvText.Text(supportRatio), CsvText.Text(timeStepFraction), CsvText.Text(soundSpeedRatio));
+        internal static string KeyOf(string caseName, string method, double spacing, double supportRatio, double timeStepFraction,
+            double soundSpeedRatio) =>
+            string.Join("|", caseName, method, CsvText.Text(spacing), CsvText.Text(supportRatio), CsvText.Text(timeStepFraction),
+                CsvText.Text(soundSpeedRatio));
 
-        ChartConfig Built()
+        private ChartConfig Built()
         {
-            if (built)
-                return this;
+            if (built) return this;
             built = true;
             try
             {

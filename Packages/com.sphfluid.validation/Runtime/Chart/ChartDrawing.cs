@@ -5,16 +5,20 @@ using System.Linq;
 
 namespace SphFluid.Validation
 {
-    /// <summary>Writes what follows from the table: the Pareto fronts, the comparison at equal time, the report, the scripts, and by gnuplot the pictures.</summary>
-    sealed class ChartDrawing
+    /// <summary>
+    /// Writes what follows from the table: the Pareto fronts, the comparison at equal time, the report, the scripts, and by gnuplot the
+    /// pictures.
+    /// </summary>
+    internal sealed class ChartDrawing
     {
-        readonly string folder;
-        readonly ResultTable<ChartRow> table;
-        readonly IReadOnlyList<ValidationCase> cases;
-        readonly string command;
-        readonly SessionProgress progress;
+        private readonly string folder;
+        private readonly ResultTable<ChartRow> table;
+        private readonly IReadOnlyList<ValidationCase> cases;
+        private readonly string command;
+        private readonly SessionProgress progress;
 
-        public ChartDrawing(string folder, ResultTable<ChartRow> table, IReadOnlyList<ValidationCase> selected, string command, SessionProgress progress)
+        public ChartDrawing(string folder, ResultTable<ChartRow> table, IReadOnlyList<ValidationCase> selected, string command,
+            SessionProgress progress)
         {
             this.command = command;
             this.folder = folder;
@@ -27,8 +31,7 @@ namespace SphFluid.Validation
         public void Write()
         {
             List<IReadOnlyList<ChartPanel>> groups = cases.Select(c => ChartPanel.Of(c, table.Rows)).Where(g => g.Count > 0).ToList();
-            if (groups.Count == 0)
-                return;
+            if (groups.Count == 0) return;
             List<IReadOnlyList<ChartPoint>> fronts = groups.Select(g => ParetoFront.Of(g[0].Points)).ToList();
             ParetoFront.Format.Write(folder, fronts.SelectMany(f => f));
             SayFronts(groups, fronts);
@@ -42,22 +45,25 @@ namespace SphFluid.Validation
             var chart = new ChartScript(groups, table.Device, table.Rows.Max(r => r.Date));
             IEnumerable<CurveScript> curves = cases.Select(c => new CurveScript(c, folder)).Where(s => !s.IsEmpty);
             string problem = GnuplotScript.Draw(folder, new GnuplotScript[] { chart }.Concat(curves));
-            progress.Say(problem ?? $"{Path.Combine(folder, "accuracy.png")}, accuracy.svg, {ChartRow.Format.FileName}, {ParetoFront.Format.FileName}, " +
+            progress.Say(problem ??
+                $"{Path.Combine(folder, "accuracy.png")}, accuracy.svg, {ChartRow.Format.FileName}, {ParetoFront.Format.FileName}, " +
                 $"{EqualCost.Format.FileName} and case-*.png are written.");
         }
 
         // A line for each case and pair of methods: from the least ratio to the greatest, at the times of both methods' points.
-        void SayComparisons(IEnumerable<EqualCost.Comparison> comparisons)
+        private void SayComparisons(IEnumerable<EqualCost.Comparison> comparisons)
         {
             progress.Say("Error over another method's at equal GPU time, along both fronts:");
             foreach (EqualCostRange range in EqualCostRange.Of(comparisons))
             {
-                progress.Say(string.Format(CultureInfo.InvariantCulture, "{0,-18}{1,-32}{2:G3} to {3:G3}", range.Case, $"{range.Method.Name} / {range.Other.Name}",
+                progress
+                    .Say(string.Format(CultureInfo.InvariantCulture, "{0,-18}{1,-32}{2:G3} to {3:G3}", range.Case,
+                        $"{range.Method.Name} / {range.Other.Name}",
                     range.Least, range.Greatest));
             }
         }
 
-        void SayFronts(List<IReadOnlyList<ChartPanel>> groups, List<IReadOnlyList<ChartPoint>> fronts)
+        private void SayFronts(List<IReadOnlyList<ChartPanel>> groups, List<IReadOnlyList<ChartPoint>> fronts)
         {
             progress.Say($"Points that no other one beats in time and error:");
             progress.Say($"{"case",-18}{"method",-16}{"dx",10}{"kappa",7}{"dt",6}{"c",7}{"particles",11}{"GPU ms/s",12}{"error",10}");
@@ -65,12 +71,14 @@ namespace SphFluid.Validation
             {
                 foreach (ChartPoint p in fronts[i])
                 {
-                    progress.Say(string.Format(CultureInfo.InvariantCulture, "{0,-18}{1,-16}{2,10:G3}{3,7:G3}{4,6:G3}{5,7:G3}{6,11}{7,12:N0}{8,10:G3}  {9}",
-                        p.Case, p.Method, p.Spacing, p.SupportRatio, p.TimeStepFraction, p.SoundSpeedRatio, p.Particles, p.Cost.Value.Median,
+                    progress
+                        .Say(string.Format(CultureInfo.InvariantCulture,
+                            "{0,-18}{1,-16}{2,10:G3}{3,7:G3}{4,6:G3}{5,7:G3}{6,11}{7,12:N0}{8,10:G3}  {9}",
+                        p.Case, p.Method, p.Spacing, p.SupportRatio, p.TimeStepFraction, p.SoundSpeedRatio, p.Particles,
+                        p.Cost.Value.Median,
                         p.Error.Value.Median, p.ErrorName));
                 }
-                if (fronts[i].Count == 0)
-                    progress.Say($"{groups[i][0].Case.Name,-18}every point has a failed run");
+                if (fronts[i].Count == 0) progress.Say($"{groups[i][0].Case.Name,-18}every point has a failed run");
             }
         }
     }

@@ -7,9 +7,10 @@ namespace SphFluid.Validation
     /// <summary>A panel of the chart: one error of one case.</summary>
     public sealed class ChartPanel
     {
-        readonly Dictionary<string, ChartConfig> bases;
+        private readonly Dictionary<string, ChartConfig> bases;
 
-        ChartPanel(ValidationCase validationCase, string errorName, IReadOnlyList<ChartPoint> points, Dictionary<string, ChartConfig> bases)
+        private ChartPanel(ValidationCase validationCase, string errorName, IReadOnlyList<ChartPoint> points,
+            Dictionary<string, ChartConfig> bases)
         {
             Case = validationCase;
             ErrorName = errorName;
@@ -36,7 +37,9 @@ namespace SphFluid.Validation
         {
             var bases = new Dictionary<string, ChartConfig>();
             foreach (CaseMethod method in CaseMethod.All)
+            {
                 bases.Add(method.Name, new ChartConfig(validationCase, validationCase.Base(method), ChartFactor.Base));
+            }
             return new[] { validationCase.ErrorName, validationCase.CompanionErrorName }
                 .Where(name => name != null)
                 .Select(name => new ChartPanel(validationCase, name,
@@ -55,12 +58,11 @@ namespace SphFluid.Validation
         {
             List<ChartPoint> points = Points.Where(p => p.Method == method.Name && p.Error.HasValue && p.Cost.HasValue).ToList();
             List<ChartPoint> sweep = points.Where(p => FactorOf(p) == factor).ToList();
-            if (sweep.Count > 0)
-                sweep.AddRange(points.Where(p => FactorOf(p) == ChartFactor.Base));
+            if (sweep.Count > 0) sweep.AddRange(points.Where(p => FactorOf(p) == ChartFactor.Base));
             return sweep.OrderBy(p => ValueOf(p, factor)).ToList();
         }
 
-        static double ValueOf(ChartPoint point, ChartFactor factor)
+        private static double ValueOf(ChartPoint point, ChartFactor factor)
         {
             switch (factor)
             {

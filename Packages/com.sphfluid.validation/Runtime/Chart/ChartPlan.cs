@@ -5,26 +5,28 @@ using System.Linq;
 namespace SphFluid.Validation
 {
     /// <summary>
-    /// Which runs a chart is made of, in their order, within a budget that all cases and methods share: an expensive case gets coarser or fewer
-    /// points and takes nothing from others. The first run of each case and method comes first, then the second, ..., so that a chart that is
-    /// stopped early has every panel.
+    /// Which runs a chart is made of, in their order, within a budget that all cases and methods share: an expensive case gets coarser or
+    /// fewer points and takes nothing from others. The first run of each case and method comes first, then the second, ..., so that a chart
+    /// that is stopped early has every panel.
     /// </summary>
     public sealed class ChartPlan
     {
-        /// <summary>Work of the whole short plan: seven minutes of llvmpipe on two cores; start, pictures and surprises have the rest of ten.</summary>
+        /// <summary>
+        /// Work of the whole short plan: seven minutes of llvmpipe on two cores; start, pictures and surprises have the rest of ten.
+        /// </summary>
         internal const double QuickBudget = 420.0 * StepWork.SoftwareRate;
 
         // Time of a full chart; the costs of steps and the pictures come on top.
-        const double FullSeconds = 40.0 * 60.0;
+        private const double FullSeconds = 40.0 * 60.0;
 
         /// <summary>Most work of one run on a software device, five minutes: a slice of eight holds it.</summary>
         internal const double SoftwareRunLimit = 300.0 * StepWork.SoftwareRate;
 
-        readonly List<ChartRun> runs = new List<ChartRun>();
-        readonly List<ChartConfig> unbuildable = new List<ChartConfig>();
-        readonly List<ChartRun> leftOut = new List<ChartRun>();
+        private readonly List<ChartRun> runs = new List<ChartRun>();
+        private readonly List<ChartConfig> unbuildable = new List<ChartConfig>();
+        private readonly List<ChartRun> leftOut = new List<ChartRun>();
 
-        ChartPlan(IReadOnlyList<StepCostPoint> stepCosts) => StepCosts = stepCosts;
+        private ChartPlan(IReadOnlyList<StepCostPoint> stepCosts) => StepCosts = stepCosts;
 
         /// <summary>The runs in their order.</summary>
         public IReadOnlyList<ChartRun> Runs => runs;
@@ -62,12 +64,13 @@ namespace SphFluid.Validation
         /// <param name="runLimit">Most work of a run; longer ones are left out.</param>
         /// <param name="stepCosts">Liquids whose step is timed; null for none.</param>
         public static ChartPlan Full(IReadOnlyList<ValidationCase> cases, IReadOnlyList<CaseMethod> methods,
-            double budget = double.PositiveInfinity, double runLimit = double.PositiveInfinity, IReadOnlyList<StepCostPoint> stepCosts = null) =>
+            double budget = double.PositiveInfinity, double runLimit = double.PositiveInfinity,
+            IReadOnlyList<StepCostPoint> stepCosts = null) =>
             Of(cases, methods, budget, runLimit, (c, m, share) => ChartSweep.Full(c, m), stepCosts);
 
         /// <summary>
-        /// The most telling runs that fit into the budget: spacings and supports of the methods that users choose, the base of the others, and
-        /// seeds of the cheap points.
+        /// The most telling runs that fit into the budget: spacings and supports of the methods that users choose, the base of the others,
+        /// and seeds of the cheap points.
         /// </summary>
         /// <param name="cases">The cases.</param>
         /// <param name="methods">The methods.</param>
@@ -77,7 +80,7 @@ namespace SphFluid.Validation
             IReadOnlyList<StepCostPoint> stepCosts = null) =>
             Of(cases, methods, budget, double.PositiveInfinity, ChartSweep.Quick, stepCosts);
 
-        static ChartPlan Of(IReadOnlyList<ValidationCase> cases, IReadOnlyList<CaseMethod> methods, double budget, double runLimit,
+        private static ChartPlan Of(IReadOnlyList<ValidationCase> cases, IReadOnlyList<CaseMethod> methods, double budget, double runLimit,
             Func<ValidationCase, CaseMethod, double, IEnumerable<ChartRun>> sweep, IReadOnlyList<StepCostPoint> stepCosts)
         {
             var plan = new ChartPlan(stepCosts ?? Array.Empty<StepCostPoint>());
@@ -110,7 +113,7 @@ namespace SphFluid.Validation
             return plan;
         }
 
-        List<ChartRun> Distinct(IEnumerable<ChartRun> wanted)
+        private List<ChartRun> Distinct(IEnumerable<ChartRun> wanted)
         {
             var taken = new HashSet<string>();
             var result = new List<ChartRun>();
@@ -118,8 +121,7 @@ namespace SphFluid.Validation
             {
                 if (run.Config.Problem == null)
                 {
-                    if (taken.Add(run.Key))
-                        result.Add(run);
+                    if (taken.Add(run.Key)) result.Add(run);
                 }
                 else if (!unbuildable.Contains(run.Config))
                 {
@@ -130,7 +132,7 @@ namespace SphFluid.Validation
         }
 
         // In their order, without those that do not fit; the cheapest alone where none does, so that each panel has a point.
-        static List<ChartRun> Within(List<ChartRun> wanted, double share)
+        private static List<ChartRun> Within(List<ChartRun> wanted, double share)
         {
             var result = new List<ChartRun>();
             double cost = 0.0;
@@ -139,21 +141,19 @@ namespace SphFluid.Validation
                 result.Add(run);
                 cost += run.Cost;
             }
-            if (result.Count == 0 && wanted.Count > 0)
-                result.Add(wanted.OrderBy(r => r.Cost).First());
+            if (result.Count == 0 && wanted.Count > 0) result.Add(wanted.OrderBy(r => r.Cost).First());
             return result;
         }
 
         // The first of every list, then the second, ...
-        static IEnumerable<(int List, ChartRun Run)> InTurn(List<List<ChartRun>> lists)
+        private static IEnumerable<(int List, ChartRun Run)> InTurn(List<List<ChartRun>> lists)
         {
             int longest = lists.Count == 0 ? 0 : lists.Max(l => l.Count);
             for (int i = 0; i < longest; i++)
             {
                 for (int list = 0; list < lists.Count; list++)
                 {
-                    if (i < lists[list].Count)
-                        yield return (list, lists[list][i]);
+                    if (i < lists[list].Count) yield return (list, lists[list][i]);
                 }
             }
         }

@@ -7,9 +7,9 @@ namespace SphFluid.Validation
     /// <summary>What the seeds of one point gave for one error: medians, least and greatest.</summary>
     public sealed class ChartPoint
     {
-        readonly ChartRow first;
+        private readonly ChartRow first;
 
-        ChartPoint(ChartRow first)
+        private ChartPoint(ChartRow first)
         {
             this.first = first;
         }
@@ -56,7 +56,9 @@ namespace SphFluid.Validation
         /// <summary>Why the first of them failed; empty when none did.</summary>
         public string Reason { get; private set; } = "";
 
-        /// <summary>GPU time per simulated second of the runs that did not fail, or of all when all did [ms/s]; null when it was not measured.</summary>
+        /// <summary>
+        /// GPU time per simulated second of the runs that did not fail, or of all when all did [ms/s]; null when it was not measured.
+        /// </summary>
         public SampleStatistics? Cost { get; private set; }
 
         /// <summary>Magnitude of the error of the runs that did not fail; null when all did.</summary>
@@ -74,7 +76,8 @@ namespace SphFluid.Validation
             var points = new List<ChartPoint>();
             foreach (IGrouping<string, ChartRow> group in rows.Where(r => r.Case == caseName).GroupBy(r => r.Point))
             {
-                List<ChartRow> runs = group.GroupBy(r => r.Seed).Select(seed => seed.FirstOrDefault(r => r.ErrorName == errorName) ?? seed.First()).ToList();
+                List<ChartRow> runs = group.GroupBy(r => r.Seed)
+                    .Select(seed => seed.FirstOrDefault(r => r.ErrorName == errorName) ?? seed.First()).ToList();
                 List<ChartRow> passed = runs.Where(r => !r.Failed).ToList();
                 points.Add(new ChartPoint(runs[0])
                 {
@@ -101,13 +104,12 @@ namespace SphFluid.Validation
         }
 
         // As written in the file.
-        static void Compare(double value, double start, ChartFactor which, ref ChartFactor factor)
+        private static void Compare(double value, double start, ChartFactor which, ref ChartFactor factor)
         {
-            if (CsvText.Text(value) != CsvText.Text(start))
-                factor = factor == ChartFactor.Base ? which : ChartFactor.Several;
+            if (CsvText.Text(value) != CsvText.Text(start)) factor = factor == ChartFactor.Base ? which : ChartFactor.Several;
         }
 
-        static SampleStatistics? Statistics(IEnumerable<double> values)
+        private static SampleStatistics? Statistics(IEnumerable<double> values)
         {
             List<double> finite = values.Where(v => !double.IsNaN(v) && !double.IsInfinity(v)).ToList();
             return finite.Count == 0 ? (SampleStatistics?)null : SampleStatistics.Of(finite);

@@ -79,13 +79,17 @@ namespace SphFluid.Validation
         /// <summary>Length of a step [s]; not a number in files from before it was written.</summary>
         public double TimeStep { get; private set; } = double.NaN;
 
-        /// <summary>Lower quartile of the run's parts, as <see cref="GpuMsPerSecond"/> [ms/s]; not a number where it was not measured.</summary>
+        /// <summary>
+        /// Lower quartile of the run's parts, as <see cref="GpuMsPerSecond"/> [ms/s]; not a number where it was not measured.
+        /// </summary>
         public double GpuMsLow { get; private set; } = double.NaN;
 
         /// <summary>Upper quartile of the run's parts [ms/s].</summary>
         public double GpuMsHigh { get; private set; } = double.NaN;
 
-        /// <summary>The quartiles' distance over the time: above <see cref="StepTimes.BusySpread"/> something else used the device.</summary>
+        /// <summary>
+        /// The quartiles' distance over the time: above <see cref="StepTimes.BusySpread"/> something else used the device.
+        /// </summary>
         public double TimeSpread { get; private set; } = double.NaN;
 
         /// <summary>Equal to the key of its run, which may have several errors.</summary>
@@ -100,7 +104,8 @@ namespace SphFluid.Validation
         public static ChartRow[] Of(ChartRun run, CaseResult result)
         {
             ChartConfig config = run.Config;
-            IReadOnlyList<CaseError> errors = result.Errors.Count > 0 ? result.Errors : new[] { new CaseError(config.Case.ErrorName, double.NaN) };
+            IReadOnlyList<CaseError> errors = result.Errors.Count > 0 ? result.Errors
+                : new[] { new CaseError(config.Case.ErrorName, double.NaN) };
             bool unmeasured = double.IsNaN(errors[0].Value) || double.IsInfinity(errors[0].Value);
             string reason = result.Failure ?? (unmeasured ? $"{errors[0].Name} could not be measured" : "");
             return errors.Select(error => new ChartRow

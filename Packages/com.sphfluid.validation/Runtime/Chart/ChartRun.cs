@@ -19,7 +19,8 @@ namespace SphFluid.Validation
         public int Seed { get; }
 
         /// <summary>Expected work, see <see cref="StepWork"/>.</summary>
-        public double Cost => Config.Problem != null ? 0.0 : Config.Steps * StepWork.Of(Config.Method, Config.Particles, Config.SupportRatio);
+        public double Cost => Config.Problem != null ? 0.0
+            : Config.Steps * StepWork.Of(Config.Method, Config.Particles, Config.SupportRatio);
 
         /// <summary>Equal for runs of the same point and seed.</summary>
         public string Key => KeyOf(Config.Key, Seed);

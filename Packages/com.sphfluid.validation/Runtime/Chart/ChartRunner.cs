@@ -5,9 +5,9 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>Does the chart's runs on the GPU.</summary>
-    sealed class ChartRunner
+    internal sealed class ChartRunner
     {
-        readonly FluidShaderSet shaders;
+        private readonly FluidShaderSet shaders;
 
         /// <exception cref="FluidDeviceException">The device has no GPU times, or there are no shaders.</exception>
         public ChartRunner(FluidShaderSet shaders)
@@ -15,7 +15,8 @@ namespace SphFluid.Validation
             this.shaders = SessionAssets.Require(shaders, "The chart has");
             if (!SystemInfo.supportsGpuRecorder)
             {
-                throw new FluidDeviceException($"{SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType}) has no GPU times in Unity's profiler. " +
+                throw new FluidDeviceException(
+                    $"{SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType}) has no GPU times in Unity's profiler. " +
                     "Draw the chart with Direct3D 11 or 12.");
             }
         }
@@ -34,7 +35,7 @@ namespace SphFluid.Validation
             }
         }
 
-        CaseRun Create(ChartRun run, out string problem)
+        private CaseRun Create(ChartRun run, out string problem)
         {
             problem = null;
             CaseParameters parameters = run.Config.Parameters(run.Seed);

@@ -14,12 +14,12 @@ namespace SphFluid.Validation
         /// <summary>Makes the work of a run, which hands over its result.</summary>
         internal delegate IEnumerator Runner(ChartRun run, Action<CaseResult> done);
 
-        readonly FluidShaderSet shaders; // null for runs that are made up
-        readonly ChartArguments arguments;
-        readonly Runner runner;
-        readonly ResultTable<ChartRow> table;
-        readonly ResultTable<StepCostRow> costs;
-        readonly ChartPlan plan;
+        private readonly FluidShaderSet shaders; // null for runs that are made up
+        private readonly ChartArguments arguments;
+        private readonly Runner runner;
+        private readonly ResultTable<ChartRow> table;
+        private readonly ResultTable<StepCostRow> costs;
+        private readonly ChartPlan plan;
 
         /// <summary>Prepares a chart; nothing is measured yet.</summary>
         /// <param name="arguments">What to measure.</param>
@@ -34,7 +34,8 @@ namespace SphFluid.Validation
             this.shaders = shaders;
         }
 
-        internal ChartSession(ChartArguments arguments, ChartPlan plan, Runner runner, SessionProgress progress, string device, SessionRate rate)
+        internal ChartSession(ChartArguments arguments, ChartPlan plan, Runner runner, SessionProgress progress, string device,
+            SessionRate rate)
             : base(arguments, "runs", device, progress, rate)
         {
             this.arguments = arguments;
@@ -55,10 +56,14 @@ namespace SphFluid.Validation
         private protected override IEnumerable<SessionJob> Jobs()
         {
             foreach (var same in plan.Unbuildable.GroupBy(c => (c.Case.Name, Method: c.Method.Name, c.Problem)))
-                Progress.Say($"Not part of the chart: {same.Count()} {(same.Count() == 1 ? "point" : "points")} of {same.Key.Name} with {same.Key.Method}: {same.Key.Problem}");
-            string reason = arguments.Quick ? "they do not fit into the short plan's time" : "they take too long on this device, or do not fit into the chart's time";
-            if (plan.LeftOut.Count > 0)
-                Progress.Say($"{plan.LeftOut.Count} runs are left out, {reason}: {plan.DescribeLeftOut()}.");
+            {
+                Progress.Say(
+                    $"Not part of the chart: {same.Count()} {(same.Count() == 1 ? "point" : "points")} of {same.Key.Name} with " +
+                    $"{same.Key.Method}: {same.Key.Problem}");
+            }
+            string reason = arguments.Quick ? "they do not fit into the short plan's time"
+                : "they take too long on this device, or do not fit into the chart's time";
+            if (plan.LeftOut.Count > 0) Progress.Say($"{plan.LeftOut.Count} runs are left out, {reason}: {plan.DescribeLeftOut()}.");
             // A run each of every case and method comes first.
             int first = Math.Min(plan.Runs.Count, arguments.Cases.Count * arguments.Methods.Count);
             return plan.Runs.Take(first).Select(Job).Concat(plan.StepCosts.Select(Job)).Concat(plan.Runs.Skip(first).Select(Job));
@@ -66,8 +71,7 @@ namespace SphFluid.Validation
 
         private protected override IEnumerator Begin()
         {
-            if (shaders != null)
-                yield return Calibrate(shaders, StepWork.OfStandard);
+            if (shaders != null) yield return Calibrate(shaders, StepWork.OfStandard);
         }
 
         private protected override void Draw()
@@ -78,55 +82,58 @@ namespace SphFluid.Validation
         }
 
         // Cases that an earlier chart in the folder measured are fitted too.
-        void WriteFits()
+        private void WriteFits()
         {
-            if (table.Rows.Count == 0)
-                return;
+            if (table.Rows.Count == 0) return;
             var chart = new ChartData(Folder, table.Rows, costs.Rows);
             StepFitRow.Format.Write(Folder, StepFitRow.Of(chart));
             ErrorFitRow.Format.Write(Folder, ErrorFitRow.Of(chart, CaseCatalogue.All.Where(c => !c.IsGate).Union(arguments.Cases)));
         }
 
-        void SayBusy()
+        private void SayBusy()
         {
             int busy = table.Rows.Where(r => r.TimeSpread > StepTimes.BusySpread).Select(r => r.Key).Distinct().Count() +
                 costs.Rows.Count(r => r.Spread > StepTimes.BusySpread);
             if (busy > 0)
             {
-                Progress.Say(string.Format(CultureInfo.InvariantCulture, "The times of {0} runs spread by more than {1:0} % (column time_spread): " +
-                    "something else used the device, or the flow changed. Errors do not depend on that.", busy, 100.0 * StepTimes.BusySpread));
+                Progress.Say(string.Format(CultureInfo.InvariantCulture,
+                    "The times of {0} runs spread by more than {1:0} % (column time_spread): " +
+                    "something else used the device, or the flow changed. Errors do not depend on that.", busy,
+                    100.0 * StepTimes.BusySpread));
             }
         }
 
         /// <summary>All files of a chart; cases that an earlier chart in the folder measured are drawn too.</summary>
         internal static IEnumerable<ResultFile> Files(IEnumerable<ValidationCase> selected)
         {
-            var tables = new[] { ChartRow.Format.File, StepCostRow.Format.File, StepFitRow.Format.File, ErrorFitRow.Format.File, ParetoFront.Format.File, EqualCost.Format.File, ChartReport.File };
+            var tables = new[] { ChartRow.Format.File, StepCostRow.Format.File, StepFitRow.Format.File, ErrorFitRow.Format.File,
+                ParetoFront.Format.File, EqualCost.Format.File, ChartReport.File };
             return tables.Concat(ChartScript.Files()).Concat(CaseCatalogue.All.Union(selected)
                 .SelectMany(c => CurveScript.Files(c).Concat(CaseMethod.All.Select(m => CurveFile.Of(c.Name, m.Name)))));
         }
 
-        static ChartPlan PlanFor(ChartArguments arguments)
+        private static ChartPlan PlanFor(ChartArguments arguments)
         {
             bool software = FluidSupport.IsSoftwareDevice;
             IReadOnlyList<StepCostPoint> stepCosts = StepCostPoint.Of(arguments.Methods, arguments.Quick, software);
-            if (arguments.Quick)
-                return ChartPlan.Quick(arguments.Cases, arguments.Methods, stepCosts: stepCosts);
+            if (arguments.Quick) return ChartPlan.Quick(arguments.Cases, arguments.Methods, stepCosts: stepCosts);
             return ChartPlan.Full(arguments.Cases, arguments.Methods, ChartPlan.FullBudget(software),
                 software ? ChartPlan.SoftwareRunLimit : double.PositiveInfinity, stepCosts);
         }
 
-        SessionJob Job(StepCostPoint point)
+        private SessionJob Job(StepCostPoint point)
         {
             // About a second each, or a dozen steps where these take longer, beside the start.
             double cost = 12.0 * StepWork.Of(point.Method, point.Particles, point.SupportRatio) + 1.5 * StepWork.SoftwareRate;
             StepCostRow row = null;
-            return new SessionJob(point.ToString(), cost, () => costs.Contains(point.Key), () => Measure(point, r => row = r), () => Progress.Say(
-                string.Format(CultureInfo.InvariantCulture, "{0}/{1}  {2}: {3:G3} ms{4}", Done, Count, point, row.Milliseconds, TimeLeft(", "))), "step",
+            return new SessionJob(point.ToString(), cost, () => costs.Contains(point.Key), () => Measure(point, r => row = r),
+                () => Progress.Say(
+                string.Format(CultureInfo.InvariantCulture, "{0}/{1}  {2}: {3:G3} ms{4}", Done, Count, point, row.Milliseconds,
+                    TimeLeft(", "))), "step",
                 key: ShardedTable.RunKey(StepCostRow.Format, point.Key));
         }
 
-        IEnumerator Measure(StepCostPoint point, Action<StepCostRow> done)
+        private IEnumerator Measure(StepCostPoint point, Action<StepCostRow> done)
         {
             StepCostRow row = null;
             yield return new StepCostRun(shaders).Run(point, r => row = r);
@@ -134,17 +141,19 @@ namespace SphFluid.Validation
             done(row);
         }
 
-        SessionJob Job(ChartRun run)
+        private SessionJob Job(ChartRun run)
         {
             CaseResult result = null;
-            return new SessionJob(run.ToString(), run.Cost, () => IsDone(run), () => Measure(run, r => result = r), () => SayResult(run, result),
+            return new SessionJob(run.ToString(), run.Cost, () => IsDone(run), () => Measure(run, r => result = r),
+                () => SayResult(run, result),
                 key: ShardedTable.RunKey(ChartRow.Format, run.Key));
         }
 
         // A run of another number of particles, as an older version had them, is done again.
-        bool IsDone(ChartRun run) => table.Contains(run.Key) && table.Rows.Any(r => r.Key == run.Key && r.Particles == run.Config.Particles);
+        private bool IsDone(ChartRun run) => table.Contains(run.Key) &&
+            table.Rows.Any(r => r.Key == run.Key && r.Particles == run.Config.Particles);
 
-        IEnumerator Measure(ChartRun run, Action<CaseResult> done)
+        private IEnumerator Measure(ChartRun run, Action<CaseResult> done)
         {
             CaseResult result = null;
             yield return runner(run, r => result = r);
@@ -152,14 +161,17 @@ namespace SphFluid.Validation
             (string caseName, string method) = (run.Config.Case.Name, run.Config.Method.Name);
             bool best = run.Config.Factor == ChartFactor.Base || !File.Exists(CurveFile.PathOf(Folder, caseName, method));
             if (run.Seed == 1 && best && result.Series.Count > 0)
+            {
                 CurveFile.Write(Folder, caseName, method, run.Config.Constants, result.Series);
+            }
             done(result);
         }
 
-        void SayResult(ChartRun run, CaseResult result)
+        private void SayResult(ChartRun run, CaseResult result)
         {
             ChartRow row = ChartRow.Of(run, result)[0];
-            string outcome = row.Failed ? "failed: " + row.Reason : string.Format(CultureInfo.InvariantCulture, "{0} {1:G3}", row.ErrorName, row.Error);
+            string outcome = row.Failed ? "failed: " + row.Reason
+                : string.Format(CultureInfo.InvariantCulture, "{0} {1:G3}", row.ErrorName, row.Error);
             Progress.Say(string.Format(CultureInfo.InvariantCulture, "{0}/{1}  {2}: {3}, {4:N0} GPU ms/s{5}", Done, Count, run, outcome,
                 row.GpuMsPerSecond, TimeLeft(", ")));
         }

@@ -4,10 +4,10 @@ using System.Linq;
 namespace SphFluid.Validation
 {
     /// <summary>Colours and symbols of the chart: a colour a method, a symbol a factor.</summary>
-    static class ChartStyle
+    internal static class ChartStyle
     {
         // M. Okabe and K. Ito's colours, which colour-blind readers can distinguish.
-        static readonly string[] colours = { "#D55E00", "#0072B2", "#CC79A7", "#009E73", "#E69F00", "#56B4E9" };
+        private static readonly string[] colours = { "#D55E00", "#0072B2", "#CC79A7", "#009E73", "#E69F00", "#56B4E9" };
 
         /// <summary>The factors in the order of the legend, with gnuplot's filled point types; the open one is the number before.</summary>
         public static readonly IReadOnlyList<(ChartFactor Factor, int Symbol, string Title)> Factors = new[]

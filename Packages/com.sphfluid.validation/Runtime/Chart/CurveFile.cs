@@ -14,7 +14,8 @@ namespace SphFluid.Validation
         internal static ResultFile Of(string caseName, string method) => FormatOf(caseName, method).File;
 
         /// <summary>Path of a file below the chart's folder.</summary>
-        public static string PathOf(string folder, string caseName, string method) => Path.Combine(folder, FormatOf(caseName, method).FileName);
+        public static string PathOf(string folder, string caseName, string method) =>
+            Path.Combine(folder, FormatOf(caseName, method).FileName);
 
         /// <summary>Writes the curves of a run.</summary>
         /// <param name="folder">The chart's folder.</param>
@@ -25,7 +26,11 @@ namespace SphFluid.Validation
         public static void Write(string folder, string caseName, string method, string run, IEnumerable<CaseSeries> curves) =>
             FormatOf(caseName, method).Write(folder, from curve in curves
                                                      from i in Enumerable.Range(0, curve.X.Count)
-                                                     select new Point { Run = run, Series = curve.Name, IsReference = curve.IsReference, X = curve.X[i], Y = curve.Y[i] });
+                                                     select new Point
+                                                     {
+                                                         Run = run, Series = curve.Name, IsReference = curve.IsReference,
+                                                         X = curve.X[i], Y = curve.Y[i]
+                                                     });
 
         /// <summary>Reads curves back; none where there is no file.</summary>
         /// <param name="folder">The chart's folder.</param>
@@ -42,22 +47,22 @@ namespace SphFluid.Validation
             {
                 format.Read(line, point);
                 CaseSeries curve = curves.Find(c => c.Name == point.Series && c.IsReference == point.IsReference);
-                if (curve == null)
-                    curves.Add(curve = new CaseSeries(point.Series, point.IsReference));
+                if (curve == null) curves.Add(curve = new CaseSeries(point.Series, point.IsReference));
                 curve.Add(point.X, point.Y);
             }
             run = point.Run;
             return curves;
         }
 
-        static TableFormat<Point> FormatOf(string caseName, string method) => new TableFormat<Point>($"curves/{caseName}.{method}.csv")
+        private static TableFormat<Point> FormatOf(string caseName, string method) =>
+            new TableFormat<Point>($"curves/{caseName}.{method}.csv")
             .Text("run", p => p.Run, (p, v) => p.Run = v)
             .Text("series", p => p.Series, (p, v) => p.Series = v)
             .Flag("reference", p => p.IsReference, (p, v) => p.IsReference = v)
             .Number("x", p => p.X, (p, v) => p.X = v)
             .Number("y", p => p.Y, (p, v) => p.Y = v);
 
-        sealed class Point
+        private sealed class Point
         {
             public string Run = "", Series;
             public bool IsReference;

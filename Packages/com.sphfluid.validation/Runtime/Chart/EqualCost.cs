@@ -5,9 +5,9 @@ using System.Linq;
 namespace SphFluid.Validation
 {
     /// <summary>
-    /// Methods compared at equal GPU time: the error of each point of a method's own Pareto front, and beside it the other method's error at the
-    /// same time, from its own front, between whose points errors are powers of the time. Points that are good by chance are not on these fronts:
-    /// those of which a finer spacing, all else equal, errs half as much again, as where an error changes its sign.
+    /// Methods compared at equal GPU time: the error of each point of a method's own Pareto front, and beside it the other method's error
+    /// at the same time, from its own front, between whose points errors are powers of the time. Points that are good by chance are not on
+    /// these fronts: those of which a finer spacing, all else equal, errs half as much again, as where an error changes its sign.
     /// </summary>
     public static class EqualCost
     {
@@ -29,7 +29,7 @@ namespace SphFluid.Validation
             .Text("device", c => c.Point.Device)
             .Text("date", c => c.Point.Date);
 
-        const double ByChance = 1.5;
+        private const double ByChance = 1.5;
 
         /// <summary>A point of a method against another method at the same time.</summary>
         public readonly struct Comparison
@@ -55,7 +55,9 @@ namespace SphFluid.Validation
             /// <summary>Whether the other method has no point as dear as this one, so that its error is that of its dearest one.</summary>
             public bool IsBound { get; }
 
-            /// <summary>The point's error over the other's, neither counted below the reference's floor; below 1 the point is better.</summary>
+            /// <summary>
+            /// The point's error over the other's, neither counted below the reference's floor; below 1 the point is better.
+            /// </summary>
             public double Ratio { get; }
         }
 
@@ -71,7 +73,8 @@ namespace SphFluid.Validation
                     where other != own
                     from point in own
                     where Time(point) >= Time(other[0])
-                    select new Comparison(point, other[0].Method, ErrorAt(other, Time(point)), Time(point) > Time(other[other.Count - 1]), floor)).ToList();
+                    select new Comparison(point, other[0].Method, ErrorAt(other, Time(point)), Time(point) > Time(other[other.Count - 1]),
+                        floor)).ToList();
         }
 
         /// <summary>The points whose every run has an error and a time, without those that are good by chance.</summary>
@@ -81,31 +84,30 @@ namespace SphFluid.Validation
             return whole.Where(p => !whole.Any(finer => finer.Method == p.Method && IsByChance(p, finer, floor))).ToList();
         }
 
-        static bool IsByChance(ChartPoint point, ChartPoint finer, double floor) =>
-            finer.Spacing < point.Spacing && finer.SupportRatio.Equals(point.SupportRatio) && finer.TimeStepFraction.Equals(point.TimeStepFraction) &&
+        private static bool IsByChance(ChartPoint point, ChartPoint finer, double floor) =>
+            finer.Spacing < point.Spacing && finer.SupportRatio.Equals(point.SupportRatio) &&
+                finer.TimeStepFraction.Equals(point.TimeStepFraction) &&
             finer.SoundSpeedRatio.Equals(point.SoundSpeedRatio) && Math.Max(floor, Error(finer)) > ByChance * Math.Max(floor, Error(point));
 
         // Along the best so far: bars may leave a dearer point on the front whose median is no better.
-        static double ErrorAt(IReadOnlyList<ChartPoint> front, double time)
+        private static double ErrorAt(IReadOnlyList<ChartPoint> front, double time)
         {
             double best = Error(front[0]), bestTime = Time(front[0]);
             foreach (ChartPoint next in front)
             {
-                if (Error(next) >= best)
-                    continue;
-                if (Time(next) > time)
-                    return Power(bestTime, best, Time(next), Error(next), time);
+                if (Error(next) >= best) continue;
+                if (Time(next) > time) return Power(bestTime, best, Time(next), Error(next), time);
                 (best, bestTime) = (Error(next), Time(next));
             }
             return best;
         }
 
         // On the straight line through two points of logarithmic axes: at 2 between (1, 0.4) and (4, 0.1) 0.2.
-        static double Power(double t0, double e0, double t1, double e1, double t) =>
+        private static double Power(double t0, double e0, double t1, double e1, double t) =>
             t1 > t0 && e1 > 0.0 ? e0 * Math.Pow(e1 / e0, Math.Log(t / t0) / Math.Log(t1 / t0)) : e1;
 
-        static double Time(ChartPoint point) => point.Cost.Value.Median;
+        private static double Time(ChartPoint point) => point.Cost.Value.Median;
 
-        static double Error(ChartPoint point) => point.Error.Value.Median;
+        private static double Error(ChartPoint point) => point.Error.Value.Median;
     }
 }

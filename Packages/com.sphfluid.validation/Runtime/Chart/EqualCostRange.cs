@@ -4,9 +4,10 @@ using System.Linq;
 namespace SphFluid.Validation
 {
     /// <summary>Two methods at equal GPU time in one case: the ratios of their errors along both fronts.</summary>
-    sealed class EqualCostRange
+    internal sealed class EqualCostRange
     {
-        EqualCostRange(string validationCase, CaseMethod method, CaseMethod other, IReadOnlyList<(double Ratio, double Time, bool IsBound)> places)
+        private EqualCostRange(string validationCase, CaseMethod method, CaseMethod other,
+            IReadOnlyList<(double Ratio, double Time, bool IsBound)> places)
         {
             Case = validationCase;
             Method = method;
@@ -54,15 +55,16 @@ namespace SphFluid.Validation
         /// <summary>A range for each case and pair of methods.</summary>
         public static IEnumerable<EqualCostRange> Of(IEnumerable<EqualCost.Comparison> comparisons)
         {
-            foreach (var pair in comparisons.GroupBy(c => (c.Point.Case, Later: Later(c.Point.Method, c.Other), Earlier: Earlier(c.Point.Method, c.Other))))
+            foreach (var pair in comparisons
+                .GroupBy(c => (c.Point.Case, Later: Later(c.Point.Method, c.Other), Earlier: Earlier(c.Point.Method, c.Other))))
             {
                 yield return new EqualCostRange(pair.Key.Case, pair.Key.Later, pair.Key.Earlier, pair.Select(c =>
                     (c.Point.Method == pair.Key.Later.Name ? c.Ratio : 1.0 / c.Ratio, c.Point.Cost.Value.Median, c.IsBound)).ToList());
             }
         }
 
-        static CaseMethod Later(string a, string b) => CaseMethod.All.Last(m => m.Name == a || m.Name == b);
+        private static CaseMethod Later(string a, string b) => CaseMethod.All.Last(m => m.Name == a || m.Name == b);
 
-        static CaseMethod Earlier(string a, string b) => CaseMethod.All.First(m => m.Name == a || m.Name == b);
+        private static CaseMethod Earlier(string a, string b) => CaseMethod.All.First(m => m.Name == a || m.Name == b);
     }
 }

@@ -41,8 +41,9 @@ namespace SphFluid.Validation
             return costQ.Median <= costP.Median && errorQ.Median <= errorP.Median && (IsBeyond(costQ, costP) || IsBeyond(errorQ, errorP));
         }
 
-        static bool IsBeyond(in SampleStatistics less, in SampleStatistics more) => more.Median - less.Median > HalfBar(less) + HalfBar(more);
+        private static bool IsBeyond(in SampleStatistics less, in SampleStatistics more) =>
+            more.Median - less.Median > HalfBar(less) + HalfBar(more);
 
-        static double HalfBar(in SampleStatistics bar) => 0.5 * (bar.Maximum - bar.Minimum);
+        private static double HalfBar(in SampleStatistics bar) => 0.5 * (bar.Maximum - bar.Minimum);
     }
 }

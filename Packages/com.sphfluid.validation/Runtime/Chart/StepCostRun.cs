@@ -6,13 +6,15 @@ using UnityEngine.Rendering;
 
 namespace SphFluid.Validation
 {
-    /// <summary>Times the step of a liquid: ¼ m³ of water that falls as a block in a cube of 1 m, whatever its number of particles.</summary>
-    sealed class StepCostRun
+    /// <summary>
+    /// Times the step of a liquid: ¼ m³ of water that falls as a block in a cube of 1 m, whatever its number of particles.
+    /// </summary>
+    internal sealed class StepCostRun
     {
-        const long LeastSteps = 12, MostSteps = 2000;
-        const int EngineFramesToWait = 400;
+        private const long LeastSteps = 12, MostSteps = 2000;
+        private const int EngineFramesToWait = 400;
 
-        readonly FluidShaderSet shaders;
+        private readonly FluidShaderSet shaders;
 
         public StepCostRun(FluidShaderSet shaders) => this.shaders = shaders;
 
@@ -48,9 +50,10 @@ namespace SphFluid.Validation
             }
         }
 
-        bool IsShort(long steps, Stopwatch clock) => steps < LeastSteps || steps < MostSteps && clock.Elapsed.TotalSeconds < LeastSeconds;
+        private bool IsShort(long steps, Stopwatch clock) => steps < LeastSteps || steps < MostSteps &&
+            clock.Elapsed.TotalSeconds < LeastSeconds;
 
-        static FluidSolverSettings Settings(StepCostPoint point, float spacing, float height)
+        private static FluidSolverSettings Settings(StepCostPoint point, float spacing, float height)
         {
             FluidRuleInput rules = FluidRuleInput.Water;
             rules.Method = point.Method.Kind;
@@ -64,7 +67,7 @@ namespace SphFluid.Validation
             return settings;
         }
 
-        static void GatherNeighbours(FluidSolver solver)
+        private static void GatherNeighbours(FluidSolver solver)
         {
             using (var cmd = new CommandBuffer { name = "Step Cost" })
             {
@@ -73,12 +76,15 @@ namespace SphFluid.Validation
             }
         }
 
-        static IEnumerator WaitForTimes(CaseStepper stepper)
+        private static IEnumerator WaitForTimes(CaseStepper stepper)
         {
             for (int waited = 0; !stepper.Collect(); waited++)
             {
                 if (waited == EngineFramesToWait)
-                    throw new FluidDeviceException($"{SystemInfo.graphicsDeviceName} gave no GPU times within {EngineFramesToWait} frames.");
+                {
+                    throw new FluidDeviceException(
+                        $"{SystemInfo.graphicsDeviceName} gave no GPU times within {EngineFramesToWait} frames.");
+                }
                 yield return null;
             }
         }

@@ -1,22 +1,23 @@
 namespace SphFluid.Validation
 {
     /// <summary>
-    /// Expected work of a step, before anything is measured: by it a plan fits into its time. The unit is what a particle of the thesis method
-    /// costs at κ = 2 beside the step's own cost. On llvmpipe with two cores (2026-11-22, the runs of <c>./run chart --quick</c>) it is about 2 µs.
+    /// Expected work of a step, before anything is measured: by it a plan fits into its time. The unit is what a particle of the thesis
+    /// method costs at κ = 2 beside the step's own cost. On llvmpipe with two cores (2026-11-22, the runs of <c>./run chart --quick</c>) it
+    /// is about 2 µs.
     /// </summary>
-    static class StepWork
+    internal static class StepWork
     {
         // What a step has whatever the number of particles, in particles: dispatches, and the sort that is padded.
-        const double ThesisStep = 1200.0, StandardStep = 350.0;
+        private const double ThesisStep = 1200.0, StandardStep = 350.0;
 
         // Part of a particle's work that grows with the number of neighbours, at κ = 2.
-        const double NeighbourShare = 0.6;
+        private const double NeighbourShare = 0.6;
 
         // Without the corrections particles clump, and each has more neighbours.
-        const double PrintedWeight = 3.0, ThesisWeight = 1.3, StandardWeight = 0.9;
+        private const double PrintedWeight = 3.0, ThesisWeight = 1.3, StandardWeight = 0.9;
 
         // Five passes over the neighbours, and a sort, where Standard has two: as counted, not timed.
-        const double RobustStep = 900.0, RobustWeight = 2.2;
+        private const double RobustStep = 900.0, RobustWeight = 2.2;
 
         /// <summary>Work a second of llvmpipe on two cores.</summary>
         public const double SoftwareRate = 0.5e6;

@@ -8,7 +8,7 @@ namespace SphFluid.Validation
     /// <summary>A chart that was measured on one device, read from its folder, with the cost of a step by method.</summary>
     public sealed class ChartData
     {
-        readonly Dictionary<FluidMethodKind, StepCostModel> costs = new Dictionary<FluidMethodKind, StepCostModel>();
+        private readonly Dictionary<FluidMethodKind, StepCostModel> costs = new Dictionary<FluidMethodKind, StepCostModel>();
 
         /// <summary>A chart.</summary>
         /// <param name="folder">Where it was read.</param>
@@ -22,10 +22,8 @@ namespace SphFluid.Validation
             {
                 List<(int, double, double)> samples = stepCosts.Where(r => r.Method == method.Name && r.Milliseconds > 0.0)
                     .Select(r => (r.Particles, r.SupportRatio, r.Milliseconds)).ToList();
-                if (samples.Count == 0)
-                    samples = OfCases(method).ToList();
-                if (samples.Count > 0)
-                    costs.Add(method.Kind, StepCostModel.Fit(method.Kind, samples));
+                if (samples.Count == 0) samples = OfCases(method).ToList();
+                if (samples.Count > 0) costs.Add(method.Kind, StepCostModel.Fit(method.Kind, samples));
             }
         }
 
@@ -51,15 +49,20 @@ namespace SphFluid.Validation
         {
             string file = Path.Combine(folder, ChartRow.Format.FileName), costFile = Path.Combine(folder, StepCostRow.Format.FileName);
             if (!File.Exists(file))
-                throw new CommandLineException($"--chart: there is no {ChartRow.Format.FileName} in '{CommandLineWords.Shown(folder)}'. Name a folder that ./run chart wrote.");
+            {
+                throw new CommandLineException(
+                    $"--chart: there is no {ChartRow.Format.FileName} in '{CommandLineWords.Shown(folder)}'. Name a folder that ./run " +
+                    "chart wrote.");
+            }
             try
             {
                 List<ChartRow> rows = ChartRow.Format.ReadAll(file, () => new ChartRow());
-                if (rows.Count == 0)
-                    throw new CommandLineException($"--chart: '{file}' has no runs yet.");
-                return new ChartData(folder, rows, File.Exists(costFile) ? StepCostRow.Format.ReadAll(costFile, () => new StepCostRow()) : new List<StepCostRow>());
+                if (rows.Count == 0) throw new CommandLineException($"--chart: '{file}' has no runs yet.");
+                return new ChartData(folder, rows, File.Exists(costFile) ? StepCostRow.Format.ReadAll(costFile, () => new StepCostRow())
+                    : new List<StepCostRow>());
             }
-            catch (Exception exception) when (exception is FormatException || exception is IOException || exception is UnauthorizedAccessException)
+            catch (Exception exception) when (exception is FormatException || exception is IOException ||
+                exception is UnauthorizedAccessException)
             {
                 throw new CommandLineException($"--chart: {exception.Message}.");
             }
@@ -74,19 +77,22 @@ namespace SphFluid.Validation
         {
             string kept = Path.Combine(project, "benchmarks", "accuracy");
             IEnumerable<string> folders = Directory.Exists(kept) ? Directory.GetDirectories(kept) : Array.Empty<string>();
-            List<ChartData> charts = folders.Append(Path.Combine(project, "Build", "chart")).Where(f => File.Exists(Path.Combine(f, ChartRow.Format.FileName)))
+            List<ChartData> charts = folders.Append(Path.Combine(project, "Build", "chart"))
+                .Where(f => File.Exists(Path.Combine(f, ChartRow.Format.FileName)))
                 .Select(Read).Where(c => c.Device == device).ToList();
-            ChartData newest = charts.Where(c => c.Rows.Any(r => caseName == null || r.Case == caseName)).OrderByDescending(c => c.Date, StringComparer.Ordinal)
+            ChartData newest = charts.Where(c => c.Rows.Any(r => caseName == null || r.Case == caseName))
+                .OrderByDescending(c => c.Date, StringComparer.Ordinal)
                 .ThenByDescending(c => c.Rows.Count(r => caseName == null || r.Case == caseName)).FirstOrDefault();
-            if (newest != null)
-                return newest;
-            string made = $"Measure one: {(caseName == null ? "" : $"./run chart --case {caseName}, or ")}./run chart --quick for all cases in ten minutes; or name another device's with --chart.";
+            if (newest != null) return newest;
+            string made =
+                $"Measure one: {(caseName == null ? "" : $"./run chart --case {caseName}, or ")}./run chart --quick for all cases in ten " +
+                "minutes; or name another device's with --chart.";
             throw new CommandLineException(charts.Count == 0
                 ? $"There is no chart of {device}. {made}"
                 : $"No chart of {device} has the case {caseName}. {made}");
         }
 
-        IEnumerable<(int, double, double)> OfCases(CaseMethod method) =>
+        private IEnumerable<(int, double, double)> OfCases(CaseMethod method) =>
             from validationCase in CaseCatalogue.All
             where !validationCase.IsGate
             from point in ChoicePoint.Of(Rows.Where(r => r.Method == method.Name), validationCase)

@@ -32,10 +32,14 @@ namespace SphFluid.Validation
         /// <summary>All ways within what the chart measured.</summary>
         public IReadOnlyList<ChoiceOption> Options { get; }
 
-        /// <summary>The answer: the fastest with the error asked for, or with a time alone the most accurate; null when there is none.</summary>
+        /// <summary>
+        /// The answer: the fastest with the error asked for, or with a time alone the most accurate; null when there is none.
+        /// </summary>
         public ChoiceOption Best { get; }
 
-        /// <summary>The fastest with the error asked for, however long it takes; null when none has it, or no error was asked for.</summary>
+        /// <summary>
+        /// The fastest with the error asked for, however long it takes; null when none has it, or no error was asked for.
+        /// </summary>
         public ChoiceOption Fastest { get; }
 
         /// <summary>The most accurate within the time asked for; null when none is within it, or no time was asked for.</summary>
@@ -50,9 +54,11 @@ namespace SphFluid.Validation
         /// <summary>The fastest of all, however wrong it is.</summary>
         public ChoiceOption Quickest => Cheapest(Options);
 
-        static ChoiceOption Cheapest(IEnumerable<ChoiceOption> options) => options.OrderBy(o => o.Milliseconds.Likely).FirstOrDefault();
+        private static ChoiceOption Cheapest(IEnumerable<ChoiceOption> options) =>
+            options.OrderBy(o => o.Milliseconds.Likely).FirstOrDefault();
 
         // Of equal errors, as below a reference's floor, the fastest.
-        static ChoiceOption LeastWrong(IEnumerable<ChoiceOption> options) => options.OrderBy(o => o.Error.Likely).ThenBy(o => o.Milliseconds.Likely).FirstOrDefault();
+        private static ChoiceOption LeastWrong(IEnumerable<ChoiceOption> options) =>
+            options.OrderBy(o => o.Error.Likely).ThenBy(o => o.Milliseconds.Likely).FirstOrDefault();
     }
 }

@@ -4,17 +4,21 @@ using System.Linq;
 
 namespace SphFluid.Validation
 {
-    /// <summary>Error and time of a case with one method, κ and speed of sound, against the number of particles along the case's length.</summary>
-    sealed class ChoiceCurve
+    /// <summary>
+    /// Error and time of a case with one method, κ and speed of sound, against the number of particles along the case's length.
+    /// </summary>
+    internal sealed class ChoiceCurve
     {
-        /// <summary>Before anything is measured: repeated times differ by 5 %, and a case's step over the fitted one wanders by a tenth.</summary>
+        /// <summary>
+        /// Before anything is measured: repeated times differ by 5 %, and a case's step over the fitted one wanders by a tenth.
+        /// </summary>
         public static readonly CurveSpread ExpectedTime = CurveSpread.Expected(0.05, 0.1);
 
-        readonly LogCurve particles, steps;
-        readonly StepCostModel cost;
-        CurveSpread timeSpread = ExpectedTime;
+        private readonly LogCurve particles, steps;
+        private readonly StepCostModel cost;
+        private CurveSpread timeSpread = ExpectedTime;
 
-        ChoiceCurve(ValidationCase validationCase, IReadOnlyList<ChoicePoint> points, StepCostModel cost)
+        private ChoiceCurve(ValidationCase validationCase, IReadOnlyList<ChoicePoint> points, StepCostModel cost)
         {
             this.cost = cost;
             Points = points;
@@ -22,7 +26,8 @@ namespace SphFluid.Validation
             double ratio = points[0].ConfigOf(validationCase).EffectiveSoundSpeedRatio;
             Compression = 1.0 / (ratio * ratio);
             List<ChoicePoint> whole = points.Where(p => !p.Failed && p.Errors.Count > 0).ToList();
-            Error = new ErrorCurve(whole.Select(p => ((double)p.Resolution, p.Errors)).ToList(), points.Where(p => p.Failed).Select(p => (double)p.Resolution).ToList(), validationCase.Floor);
+            Error = new ErrorCurve(whole.Select(p => ((double)p.Resolution, p.Errors)).ToList(),
+                points.Where(p => p.Failed).Select(p => (double)p.Resolution).ToList(), validationCase.Floor);
             particles = LogCurve.Of(whole.Select(p => ((double)p.Resolution, One(p.First.Particles))));
             steps = LogCurve.Of(whole.Where(p => p.TimeStep > 0.0).Select(p => ((double)p.Resolution, One(1.0 / p.TimeStep))));
             TimeRatio = LogCurve.Of(whole.Where(p => p.StepMilliseconds.Count > 0).Select(p => ((double)p.First.Particles,
@@ -55,11 +60,13 @@ namespace SphFluid.Validation
                 .GroupBy(p => (p.First.Method, p.First.SupportRatio, p.First.TimeStepFraction, p.First.SoundSpeedRatio)))
             {
                 CaseMethod method = CaseMethod.Find(group.Key.Method);
-                if (!group.Key.TimeStepFraction.Equals(validationCase.Base(method).TimeStepFraction) || !(chart.CostOf(method) is StepCostModel cost))
+                if (!group.Key.TimeStepFraction.Equals(validationCase.Base(method).TimeStepFraction) ||
+                    !(chart.CostOf(method) is StepCostModel cost))
+                {
                     continue;
+                }
                 var curve = new ChoiceCurve(validationCase, group.OrderBy(p => p.Resolution).ToList(), cost);
-                if (curve.IsKnown)
-                    curves.Add(curve);
+                if (curve.IsKnown) curves.Add(curve);
             }
             return curves;
         }
@@ -92,8 +99,9 @@ namespace SphFluid.Validation
         public bool IsBeyondMeasured(double count) => count > 2.0 * Math.Max(TimeRatio.Last, cost.MostParticles);
 
         // The number of particles grows with the cube beyond the points; within them it lies between.
-        static double Beyond(LogCurve curve, double x) => x > curve.Last ? 3.0 * Math.Log(x / curve.Last) : x < curve.First ? 3.0 * Math.Log(x / curve.First) : 0.0;
+        private static double Beyond(LogCurve curve, double x) => x > curve.Last ? 3.0 * Math.Log(x / curve.Last) : x < curve.First
+            ? 3.0 * Math.Log(x / curve.First) : 0.0;
 
-        static IReadOnlyList<double> One(double value) => new[] { value };
+        private static IReadOnlyList<double> One(double value) => new[] { value };
     }
 }

@@ -5,9 +5,9 @@ using System.Linq;
 namespace SphFluid.Validation
 {
     /// <summary>What a chart measured at one point of a case: the errors and times of its seeds.</summary>
-    sealed class ChoicePoint
+    internal sealed class ChoicePoint
     {
-        ChoicePoint(ChartRow first, int resolution, double timeStep, IReadOnlyList<ChartRow> runs)
+        private ChoicePoint(ChartRow first, int resolution, double timeStep, IReadOnlyList<ChartRow> runs)
         {
             First = first;
             Resolution = resolution;
@@ -45,11 +45,13 @@ namespace SphFluid.Validation
         {
             var points = new List<ChoicePoint>();
             double length = LengthOf(validationCase);
-            foreach (IGrouping<string, ChartRow> group in rows.Where(r => r.Case == validationCase.Name && CaseMethod.All.Any(m => m.Name == r.Method)).GroupBy(r => r.Point))
+            foreach (IGrouping<string, ChartRow> group in rows.Where(r => r.Case == validationCase.Name &&
+                CaseMethod.All.Any(m => m.Name == r.Method)).GroupBy(r => r.Point))
             {
-                List<ChartRow> runs = group.GroupBy(r => r.Seed).Select(seed => seed.FirstOrDefault(r => r.ErrorName == validationCase.ErrorName || r.Failed)).Where(r => r != null).ToList();
-                if (runs.Count == 0)
-                    continue;
+                List<ChartRow> runs = group.GroupBy(r => r.Seed)
+                    .Select(seed => seed.FirstOrDefault(r => r.ErrorName == validationCase.ErrorName || r.Failed))
+                    .Where(r => r != null).ToList();
+                if (runs.Count == 0) continue;
                 int resolution = (int)Math.Round(length / runs[0].Spacing);
                 double timeStep = double.IsNaN(runs[0].TimeStep) ? TimeStepOf(validationCase, runs[0], resolution) : runs[0].TimeStep;
                 points.Add(new ChoicePoint(runs[0], resolution, timeStep, runs));
@@ -58,20 +60,20 @@ namespace SphFluid.Validation
         }
 
         // What the resolution divides [m].
-        static double LengthOf(ValidationCase validationCase)
+        private static double LengthOf(ValidationCase validationCase)
         {
             var basis = new ChartConfig(validationCase, validationCase.Base(CaseMethod.Find("standard")), ChartFactor.Base);
             return basis.Spacing * basis.Parameters(1).Resolution;
         }
 
         // Tables from before the step was written; not a number where the case cannot be set up any more.
-        static double TimeStepOf(ValidationCase validationCase, ChartRow row, int resolution)
+        private static double TimeStepOf(ValidationCase validationCase, ChartRow row, int resolution)
         {
             ChartConfig config = ConfigOf(validationCase, row, resolution);
             return config.Problem == null ? config.TimeStep : double.NaN;
         }
 
-        static ChartConfig ConfigOf(ValidationCase validationCase, ChartRow row, int resolution)
+        private static ChartConfig ConfigOf(ValidationCase validationCase, ChartRow row, int resolution)
         {
             CaseParameters parameters = validationCase.Base(CaseMethod.Find(row.Method));
             (parameters.Resolution, parameters.SupportRatio) = (resolution, row.SupportRatio);

@@ -21,7 +21,9 @@ namespace SphFluid.Validation
         /// <summary>Frames a second of play.</summary>
         public double FramesPerSecond = DefaultFramesPerSecond;
 
-        /// <summary>The liquid's length, of the kind that <see cref="ValidationCase.LengthTitle"/> names [m]; not a number: the case's own.</summary>
+        /// <summary>
+        /// The liquid's length, of the kind that <see cref="ValidationCase.LengthTitle"/> names [m]; not a number: the case's own.
+        /// </summary>
         public double Length = double.NaN;
 
         /// <summary>The liquid's fastest speed [m/s]; not a number: as the case's, in proportion to its size.</summary>

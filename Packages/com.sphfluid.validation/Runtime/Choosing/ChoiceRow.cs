@@ -31,21 +31,20 @@ namespace SphFluid.Validation
             .Text("device", r => r.answer.Chart.Device)
             .Text("chart_date", r => r.answer.Chart.Date);
 
-        readonly string role;
-        readonly ChoiceAnswer answer;
-        readonly ChoiceOption option;
+        private readonly string role;
+        private readonly ChoiceAnswer answer;
+        private readonly ChoiceOption option;
 
         /// <summary>The lines of an answer: the answer itself, what is nearest, and the best of each method.</summary>
         internal static IEnumerable<ChoiceRow> Of(ChoiceAnswer answer)
         {
-            if (answer.Best != null)
-                yield return new ChoiceRow("answer", answer, answer.Best);
-            if (answer.Best == null && answer.Fastest != null)
-                yield return new ChoiceRow("fastest with the error", answer, answer.Fastest);
+            if (answer.Best != null) yield return new ChoiceRow("answer", answer, answer.Best);
+            if (answer.Best == null && answer.Fastest != null) yield return new ChoiceRow("fastest with the error", answer, answer.Fastest);
             if (answer.Best == null && answer.MostAccurate != null)
+            {
                 yield return new ChoiceRow("most accurate in the time", answer, answer.MostAccurate);
-            foreach (ChoiceOption option in answer.PerMethod)
-                yield return new ChoiceRow("best of its method", answer, option);
+            }
+            foreach (ChoiceOption option in answer.PerMethod) yield return new ChoiceRow("best of its method", answer, option);
         }
 
         internal ChoiceRow(string role, ChoiceAnswer answer, ChoiceOption option)

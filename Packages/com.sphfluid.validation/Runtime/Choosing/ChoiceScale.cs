@@ -3,14 +3,14 @@ using System;
 namespace SphFluid.Validation
 {
     /// <summary>
-    /// How the liquid in question differs from its case in size. Flows of one shape are alike where their speeds over √(gL) are: a liquid four
-    /// times as long moves twice as fast, and its steps at the same number of particles along it are twice as long.
+    /// How the liquid in question differs from its case in size. Flows of one shape are alike where their speeds over √(gL) are: a liquid
+    /// four times as long moves twice as fast, and its steps at the same number of particles along it are twice as long.
     /// </summary>
-    readonly struct ChoiceScale
+    internal readonly struct ChoiceScale
     {
-        readonly double volume;
+        private readonly double volume;
 
-        ChoiceScale(double length, double time, double volume, double framesPerSecond)
+        private ChoiceScale(double length, double time, double volume, double framesPerSecond)
         {
             Length = length;
             Time = time;

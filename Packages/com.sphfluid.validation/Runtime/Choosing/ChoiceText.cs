@@ -11,7 +11,8 @@ namespace SphFluid.Validation
         public static IEnumerable<string> Lines(ChoiceAnswer answer)
         {
             ChoiceQuestion question = answer.Question;
-            yield return $"{question.Case.Title} ({question.Case.Name}), {question.Case.ErrorName}; measured on {answer.Chart.Device}, {answer.Chart.Date}, in {answer.Chart.Folder}.";
+            yield return $"{question.Case.Title} ({question.Case.Name}), {question.Case.ErrorName}; measured on {answer.Chart.Device}, " +
+                $"{answer.Chart.Date}, in {answer.Chart.Folder}.";
             var shown = new List<ChoiceOption>();
             if (answer.Best != null)
             {
@@ -28,19 +29,23 @@ namespace SphFluid.Validation
                 }
             }
             if (shown.Any(o => o.IsBeyondMeasured))
+            {
                 yield return "That many particles were not timed on this device: the cost is an extrapolation, not measured.";
+            }
             foreach (ChoiceOption option in answer.PerMethod.Except(shown))
+            {
                 yield return $"  {(Meets(option, question) ? "also" : "short of it,")} {option}: {Figures(option, question)}";
+            }
         }
 
-        static string Nothing(ChoiceAnswer answer)
+        private static string Nothing(ChoiceAnswer answer)
         {
             string asked = Asked(answer.Question);
             bool each = answer.Fastest != null && answer.MostAccurate != null;
             return $"Nothing that was measured keeps {asked}{(each ? " at once" : "")} in five runs of six. The nearest:";
         }
 
-        static IEnumerable<(string What, ChoiceOption Option, string Why)> Nearest(ChoiceAnswer answer)
+        private static IEnumerable<(string What, ChoiceOption Option, string Why)> Nearest(ChoiceAnswer answer)
         {
             if (answer.Fastest != null)
                 yield return ("with that error", answer.Fastest, "");
@@ -52,29 +57,32 @@ namespace SphFluid.Validation
                 yield return ("the least time that was measured", answer.Quickest, "; a coarser spacing was not measured");
         }
 
-        static bool Meets(ChoiceOption option, ChoiceQuestion question) =>
+        private static bool Meets(ChoiceOption option, ChoiceQuestion question) =>
             !(option.Error.Likely > question.Error) && !(option.Milliseconds.Likely > question.Milliseconds);
 
-        static string Asked(ChoiceQuestion question)
+        private static string Asked(ChoiceQuestion question)
         {
             var parts = new List<string>();
-            if (!double.IsNaN(question.Error))
-                parts.Add("an error of at most " + Error(question.Error, question));
+            if (!double.IsNaN(question.Error)) parts.Add("an error of at most " + Error(question.Error, question));
             if (!double.IsNaN(question.Milliseconds))
+            {
                 parts.Add(string.Format(CultureInfo.InvariantCulture, "at most {0:G3} ms a frame", question.Milliseconds));
+            }
             return string.Join(" and ", parts);
         }
 
-        static string Figures(ChoiceOption option, ChoiceQuestion question) => string.Format(CultureInfo.InvariantCulture,
+        private static string Figures(ChoiceOption option, ChoiceQuestion question) => string.Format(CultureInfo.InvariantCulture,
             "error {0} ({1} to {2}), {3:G3} ms a frame ({4:G3} to {5:G3}), {6} particles, {7:G3} steps a frame of 1/{8:G4} s",
             Error(option.Error.Value, question), Error(option.Error.Low, question), Error(option.Error.High, question),
-            option.Milliseconds.Value, option.Milliseconds.Low, option.Milliseconds.High, ChartAxis.Short(option.Particles), option.StepsPerFrame, question.FramesPerSecond);
+            option.Milliseconds.Value, option.Milliseconds.Low, option.Milliseconds.High, ChartAxis.Short(option.Particles),
+            option.StepsPerFrame, question.FramesPerSecond);
 
         /// <summary>An error in its unit: "2.1 %", or a number where the error's name has a unit.</summary>
         internal static string Error(double value, ChoiceQuestion question) => IsFraction(question.Case)
             ? (100.0 * value).ToString(value < 0.995 ? "G2" : "0", CultureInfo.InvariantCulture) + " %"
             : string.Format(CultureInfo.InvariantCulture, "{0:G3}", value);
 
-        internal static bool IsFraction(ValidationCase validationCase) => !validationCase.ErrorName.EndsWith("]", System.StringComparison.Ordinal);
+        internal static bool IsFraction(ValidationCase validationCase) =>
+            !validationCase.ErrorName.EndsWith("]", System.StringComparison.Ordinal);
     }
 }

@@ -5,26 +5,29 @@ using System.Linq;
 
 namespace SphFluid.Validation
 {
-    /// <summary>Asks questions whose answers the chart has, runs each answer with a seed that the chart did not have, and compares.</summary>
-    sealed class ChoiceVerification
+    /// <summary>
+    /// Asks questions whose answers the chart has, runs each answer with a seed that the chart did not have, and compares.
+    /// </summary>
+    internal sealed class ChoiceVerification
     {
-        const int FirstSeed = 101;
-        const double PaceRatio = 2.25;
-        const int PaceParticles = 4000;
+        private const int FirstSeed = 101;
+        private const double PaceRatio = 2.25;
+        private const int PaceParticles = 4000;
 
         // A run of a minute of llvmpipe on two cores, or as much of a graphics card.
-        const double LongestSeconds = 60.0;
+        private const double LongestSeconds = 60.0;
 
         // Parts of the way from the least to the largest error or time that a case has.
-        static readonly double[] shares = { 0.25, 0.5, 0.1, 0.7, 0.35, 0.6, 0.2 };
+        private static readonly double[] shares = { 0.25, 0.5, 0.1, 0.7, 0.35, 0.6, 0.2 };
 
-        readonly ChartData chart;
-        readonly Chooser chooser;
-        readonly FluidShaderSet shaders;
-        readonly ChooseArguments arguments;
-        readonly SessionProgress progress;
+        private readonly ChartData chart;
+        private readonly Chooser chooser;
+        private readonly FluidShaderSet shaders;
+        private readonly ChooseArguments arguments;
+        private readonly SessionProgress progress;
 
-        public ChoiceVerification(ChartData chart, Chooser chooser, FluidShaderSet shaders, ChooseArguments arguments, SessionProgress progress)
+        public ChoiceVerification(ChartData chart, Chooser chooser, FluidShaderSet shaders, ChooseArguments arguments,
+            SessionProgress progress)
         {
             this.chart = chart;
             this.chooser = chooser;
@@ -49,14 +52,16 @@ namespace SphFluid.Validation
             }
             int errors = table.Rows.Count(r => r.ErrorWithin), times = table.Rows.Count(r => r.TimeWithin);
             int paced = table.Rows.Count(r => VerificationRow.IsNear(r.TimeRatio / r.Pace));
-            progress.Say(string.Format(CultureInfo.InvariantCulture, "Errors within their interval: {0} of {1}; times within {2:0} %: {3} of {1}, " +
+            progress
+                .Say(string.Format(CultureInfo.InvariantCulture,
+                    "Errors within their interval: {0} of {1}; times within {2:0} %: {3} of {1}, " +
                 "with the device's pace of the moment taken out {4} of {1}. {5} is written.",
                 errors, table.Rows.Count, 100.0 * VerificationRow.TimeTolerance, times, paced, VerificationRow.Format.FileName));
         }
 
         /// <summary>
-        /// Questions that the chart can answer, of all cases or of one in turn: every other one asks for an error, the rest for a time, somewhere
-        /// between the least and the largest of what was measured, rounded to two digits.
+        /// Questions that the chart can answer, of all cases or of one in turn: every other one asks for an error, the rest for a time,
+        /// somewhere between the least and the largest of what was measured, rounded to two digits.
         /// </summary>
         internal static IEnumerable<ChoiceQuestion> Questions(Chooser chooser, ChoiceQuestion common, int count)
         {
@@ -68,16 +73,19 @@ namespace SphFluid.Validation
                 // The next round of the same case asks for the other.
                 bool byError = (i % cases.Count + i / cases.Count) % 2 == 0;
                 ChoiceQuestion question = Ask(chooser, validationCase, common, byError, shares[i % shares.Length]);
-                if (question == null)
-                    continue;
+                if (question == null) continue;
                 asked++;
                 yield return question;
             }
         }
 
-        static ChoiceQuestion Ask(Chooser chooser, ValidationCase validationCase, ChoiceQuestion common, bool byError, double share)
+        private static ChoiceQuestion Ask(Chooser chooser, ValidationCase validationCase, ChoiceQuestion common, bool byError, double share)
         {
-            var open = new ChoiceQuestion { Case = validationCase, Error = double.PositiveInfinity, Compression = common.Compression, FramesPerSecond = common.FramesPerSecond };
+            var open = new ChoiceQuestion
+            {
+                Case = validationCase, Error = double.PositiveInfinity, Compression = common.Compression,
+                FramesPerSecond = common.FramesPerSecond
+            };
             List<ChoiceOption> options;
             try
             {
@@ -92,32 +100,34 @@ namespace SphFluid.Validation
             for (; share <= 1.0; share += 0.1)
             {
                 double value = Rounded(least * System.Math.Pow(most / least, share));
-                var question = new ChoiceQuestion { Case = validationCase, Compression = common.Compression, FramesPerSecond = common.FramesPerSecond };
-                (question.Error, question.Milliseconds) = byError ? (System.Math.Max(value, validationCase.Floor), double.NaN) : (double.NaN, value);
+                var question = new ChoiceQuestion
+                {
+                    Case = validationCase, Compression = common.Compression,
+                    FramesPerSecond = common.FramesPerSecond
+                };
+                (question.Error, question.Milliseconds) = byError ? (System.Math.Max(value, validationCase.Floor), double.NaN)
+                    : (double.NaN, value);
                 ChoiceOption best = chooser.Answer(question).Best;
                 double limit = LongestSeconds * (FluidSupport.IsSoftwareDevice ? StepWork.SoftwareRate : StepWork.CardRate);
-                if (best != null && new ChartRun(best.ConfigOf(validationCase), 1).Cost <= limit)
-                    return question;
-                if (!byError)
-                    share -= 0.2; // a shorter time, until a run of it is short enough
-                if (share < 0.0)
-                    break;
+                if (best != null && new ChartRun(best.ConfigOf(validationCase), 1).Cost <= limit) return question;
+                if (!byError) share -= 0.2; // a shorter time, until a run of it is short enough
+                if (share < 0.0) break;
             }
             return null;
         }
 
-        static double Rounded(double value) => double.Parse(value.ToString("G2", CultureInfo.InvariantCulture), CultureInfo.InvariantCulture);
+        private static double Rounded(double value) =>
+            double.Parse(value.ToString("G2", CultureInfo.InvariantCulture), CultureInfo.InvariantCulture);
 
-        IEnumerator MeasurePace(VerificationRow row)
+        private IEnumerator MeasurePace(VerificationRow row)
         {
             CaseMethod standard = CaseMethod.Find("standard");
-            if (!(chart.CostOf(standard) is StepCostModel cost))
-                yield break;
+            if (!(chart.CostOf(standard) is StepCostModel cost)) yield break;
             yield return new StepCostRun(shaders).Run(new StepCostPoint(standard, PaceRatio, PaceParticles),
                 r => row.Pace = r.Milliseconds / cost.At(PaceParticles, PaceRatio));
         }
 
-        static IEnumerator Measure(ChartRunner runner, VerificationRow row)
+        private static IEnumerator Measure(ChartRunner runner, VerificationRow row)
         {
             var run = new ChartRun(row.Answer.ConfigOf(row.Question.Case), row.Seed);
             row.Particles = run.Config.Particles;
@@ -126,17 +136,21 @@ namespace SphFluid.Validation
             row.Reason = result.Failure ?? "";
             row.MeasuredMilliseconds = result.GpuMsPerSecond / row.Question.FramesPerSecond;
             row.TimeSpread = result.GpuTimes.Spread;
-            if (!result.Failed && result.Errors.Count > 0)
-                row.MeasuredError = System.Math.Abs(result.Errors[0].Value);
+            if (!result.Failed && result.Errors.Count > 0) row.MeasuredError = System.Math.Abs(result.Errors[0].Value);
         }
 
-        void Say(int number, int count, VerificationRow row)
+        private void Say(int number, int count, VerificationRow row)
         {
             ChoiceQuestion question = row.Question;
-            string asked = double.IsNaN(question.Error) ? string.Format(CultureInfo.InvariantCulture, "{0:G3} ms", question.Milliseconds) : ChoiceText.Error(question.Error, question);
-            progress.Say(string.Format(CultureInfo.InvariantCulture, "{0}/{1}  {2} for {3}: {4}: error {5}, expected {6} ({7} to {8}){9}; {10:G3} ms, expected {11:G3}{12}, pace {13:G3}",
-                number, count, question.Case.Name, asked, row.Answer, ChoiceText.Error(row.MeasuredError, question), ChoiceText.Error(row.Answer.Error.Value, question),
-                ChoiceText.Error(row.Answer.Error.Low, question), ChoiceText.Error(row.Answer.Error.High, question), row.ErrorWithin ? "" : ", outside",
+            string asked = double.IsNaN(question.Error) ? string.Format(CultureInfo.InvariantCulture, "{0:G3} ms", question.Milliseconds)
+                : ChoiceText.Error(question.Error, question);
+            progress
+                .Say(string.Format(CultureInfo.InvariantCulture,
+                    "{0}/{1}  {2} for {3}: {4}: error {5}, expected {6} ({7} to {8}){9}; {10:G3} ms, expected {11:G3}{12}, pace {13:G3}",
+                number, count, question.Case.Name, asked, row.Answer, ChoiceText.Error(row.MeasuredError, question),
+                ChoiceText.Error(row.Answer.Error.Value, question),
+                ChoiceText.Error(row.Answer.Error.Low, question), ChoiceText.Error(row.Answer.Error.High, question),
+                row.ErrorWithin ? "" : ", outside",
                 row.MeasuredMilliseconds, row.Answer.Milliseconds.Value, row.TimeWithin ? "" : ", beyond 30 %", row.Pace));
         }
     }

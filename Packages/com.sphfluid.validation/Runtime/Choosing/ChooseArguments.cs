@@ -7,21 +7,29 @@ namespace SphFluid.Validation
     /// <summary>The question that <c>choose</c> is asked, and where it writes.</summary>
     public sealed class ChooseArguments : MeasuringArguments
     {
-        const int MostQuestions = 1000;
+        private const int MostQuestions = 1000;
 
-        ChooseArguments() : base("choose", "Build/choose")
+        private ChooseArguments() : base("choose", "Build/choose")
         {
-            Options.Add("--case", "NAME", "a case, or a word for the flow: " + Words(), null, Names().ToArray(), flag => Question.Case = Find(flag.OneOf(Names().ToArray())));
-            Options.Add("--error", "X%", "what the case's main error may be", "the least within --ms", flag => Question.Error = CommandLineWords.Share(flag.Name, flag.Value()));
-            Options.Add("--ms", "MS", "GPU time that a frame may take", "the least with --error", flag => Question.Milliseconds = CommandLineWords.Positive(flag.Name, flag.Value()));
-            Options.Add("--fps", "F", "frames a second", "60", flag => Question.FramesPerSecond = CommandLineWords.Positive(flag.Name, flag.Value()));
+            Options.Add("--case", "NAME", "a case, or a word for the flow: " + Words(), null, Names().ToArray(),
+                flag => Question.Case = Find(flag.OneOf(Names().ToArray())));
+            Options.Add("--error", "X%", "what the case's main error may be", "the least within --ms",
+                flag => Question.Error = CommandLineWords.Share(flag.Name, flag.Value()));
+            Options.Add("--ms", "MS", "GPU time that a frame may take", "the least with --error",
+                flag => Question.Milliseconds = CommandLineWords.Positive(flag.Name, flag.Value()));
+            Options.Add("--fps", "F", "frames a second", "60",
+                flag => Question.FramesPerSecond = CommandLineWords.Positive(flag.Name, flag.Value()));
             Options.Add("--length", "M", "the liquid's length in metres, of the kind that the case has", "the case's own",
                 flag => Question.Length = CommandLineWords.Positive(flag.Name, flag.Value()));
-            Options.Add("--speed", "M/S", "the liquid's fastest speed", "as the case's, by length", flag => Question.Speed = CommandLineWords.Positive(flag.Name, flag.Value()));
-            Options.Add("--volume", "M3", "the liquid's volume in cubic metres", "the case's, by length", flag => Question.Volume = CommandLineWords.Positive(flag.Name, flag.Value()));
-            Options.Add("--compression", "X%", "compression by motion that is allowed", "4%", flag => Question.Compression = CommandLineWords.Share(flag.Name, flag.Value()));
+            Options.Add("--speed", "M/S", "the liquid's fastest speed", "as the case's, by length",
+                flag => Question.Speed = CommandLineWords.Positive(flag.Name, flag.Value()));
+            Options.Add("--volume", "M3", "the liquid's volume in cubic metres", "the case's, by length",
+                flag => Question.Volume = CommandLineWords.Positive(flag.Name, flag.Value()));
+            Options.Add("--compression", "X%", "compression by motion that is allowed", "4%",
+                flag => Question.Compression = CommandLineWords.Share(flag.Name, flag.Value()));
             Options.Add("--chart", "DIR", "the chart that answers", "this device's newest", flag => Chart = flag.Value());
-            Options.Add("--verify", "N", "asks N questions, runs the answers and compares", null, flag => Verifications = flag.Integer(1, MostQuestions));
+            Options.Add("--verify", "N", "asks N questions, runs the answers and compares", null,
+                flag => Verifications = flag.Integer(1, MostQuestions));
             AddFolder();
         }
 
@@ -51,8 +59,9 @@ namespace SphFluid.Validation
 
         internal static IEnumerable<ValidationCase> Charted() => CaseCatalogue.All.Where(c => !c.IsGate);
 
-        static IEnumerable<string> Names() => Charted().SelectMany(c => c.Words.Prepend(c.Name));
+        private static IEnumerable<string> Names() => Charted().SelectMany(c => c.Words.Prepend(c.Name));
 
-        static string Words() => string.Join(", ", Charted().Where(c => c.Words.Count > 0).Select(c => $"{string.Join(" or ", c.Words)} ({c.Name})"));
+        private static string Words() =>
+            string.Join(", ", Charted().Where(c => c.Words.Count > 0).Select(c => $"{string.Join(" or ", c.Words)} ({c.Name})"));
     }
 }

@@ -9,11 +9,11 @@ namespace SphFluid.Validation
     /// <summary>Answers a question from a chart, or asks some and runs the answers; draws and writes what comes out.</summary>
     public sealed class ChooseSession : MeasuringSession
     {
-        readonly ChooseArguments arguments;
-        readonly ChartData chart;
-        readonly Chooser chooser;
-        readonly FluidShaderSet shaders;
-        readonly ChoiceAnswer answer; // null where some are verified
+        private readonly ChooseArguments arguments;
+        private readonly ChartData chart;
+        private readonly Chooser chooser;
+        private readonly FluidShaderSet shaders;
+        private readonly ChoiceAnswer answer; // null where some are verified
 
         /// <summary>Reads and fits the chart.</summary>
         /// <param name="arguments">The question.</param>
@@ -26,18 +26,26 @@ namespace SphFluid.Validation
             this.shaders = shaders;
             bool verifies = arguments.Verifications > 0;
             if (arguments.Question.Case == null && !verifies)
-                throw new CommandLineException("Name the flow that yours is like with --case: a case, or a word such as splash, waves or pool. ./run choose --help lists them.");
+            {
+                throw new CommandLineException(
+                    "Name the flow that yours is like with --case: a case, or a word such as splash, waves or pool. ./run choose --help " +
+                    "lists them.");
+            }
             string device = SystemInfo.graphicsDeviceName;
             chart = arguments.Chart != null ? ChartData.Read(arguments.Chart)
                 : ChartData.Newest(Path.GetDirectoryName(Application.dataPath), device, arguments.Question.Case?.Name);
             if (verifies && chart.Device != device)
-                throw new CommandLineException($"--verify: the chart in '{chart.Folder}' is of '{chart.Device}', and this is '{device}', whose times it cannot tell.");
+            {
+                throw new CommandLineException(
+                    $"--verify: the chart in '{chart.Folder}' is of '{chart.Device}', and this is '{device}', whose times it cannot tell.");
+            }
             chooser = new Chooser(chart);
             answer = verifies ? null : chooser.Answer(arguments.Question);
             Claim(verifies ? new[] { VerificationRow.Format.File } : ChoiceScript.Files().Prepend(ChoiceRow.Format.File));
         }
 
-        private protected override string Unfinished => arguments.Verifications > 0 ? $"'{Folder}' holds every finished run." : "Nothing was written.";
+        private protected override string Unfinished => arguments.Verifications > 0 ? $"'{Folder}' holds every finished run."
+            : "Nothing was written.";
 
         private protected override IEnumerator Run()
         {
@@ -46,13 +54,16 @@ namespace SphFluid.Validation
                 yield return new ChoiceVerification(chart, chooser, shaders, arguments, Progress).Run();
                 yield break;
             }
-            foreach (string line in ChoiceText.Lines(answer))
-                Progress.Say(line);
+            foreach (string line in ChoiceText.Lines(answer)) Progress.Say(line);
             ChoiceRow.Format.Write(Folder, ChoiceRow.Of(answer));
             string problem = GnuplotScript.Draw(Folder, new GnuplotScript[] { new ChoiceScript(answer) });
             Progress.Say(problem ?? $"{Path.Combine(Folder, "choose.png")}, choose.svg and {ChoiceRow.Format.FileName} are written.");
             if (answer.Best == null)
-                throw new IncompleteException($"choose: nothing that was measured keeps what was asked; the nearest ways are above and in {Path.Combine(Folder, ChoiceRow.Format.FileName)}.");
+            {
+                throw new IncompleteException(
+                    "choose: nothing that was measured keeps what was asked; the nearest ways are above and in " +
+                    $"{Path.Combine(Folder, ChoiceRow.Format.FileName)}.");
+            }
         }
     }
 }

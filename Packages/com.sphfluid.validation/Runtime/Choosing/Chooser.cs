@@ -7,8 +7,8 @@ namespace SphFluid.Validation
     /// <summary>Answers which method, which κ and which spacing a liquid needs, from a chart that was measured on the device.</summary>
     public sealed class Chooser
     {
-        readonly ChartData chart;
-        readonly IReadOnlyList<ErrorModel> models;
+        private readonly ChartData chart;
+        private readonly IReadOnlyList<ErrorModel> models;
 
         /// <summary>Fits a chart.</summary>
         /// <param name="chart">The chart.</param>
@@ -27,23 +27,29 @@ namespace SphFluid.Validation
 
         /// <summary>Answers a question.</summary>
         /// <param name="question">What is asked.</param>
-        /// <exception cref="CommandLineException">Neither an error nor a time is asked for, the error is below what the reference is good for, or
-        /// the chart has no curve of the case.</exception>
+        /// <exception cref="CommandLineException">Neither an error nor a time is asked for, the error is below what the reference is good
+        /// for, or the chart has no curve of the case.</exception>
         public ChoiceAnswer Answer(ChoiceQuestion question)
         {
             if (double.IsNaN(question.Error) && double.IsNaN(question.Milliseconds))
-                throw new CommandLineException("Give what the liquid may err with --error, what it may cost with --ms, or both: --error 5% --ms 4.");
+            {
+                throw new CommandLineException(
+                    "Give what the liquid may err with --error, what it may cost with --ms, or both: --error 5% --ms 4.");
+            }
             if (question.Error < question.Case.Floor)
             {
-                throw new CommandLineException(string.Format(CultureInfo.InvariantCulture, "--error: the reference of {0} itself is good for {1:0.##} %, and nothing below " +
+                throw new CommandLineException(string.Format(CultureInfo.InvariantCulture,
+                    "--error: the reference of {0} itself is good for {1:0.##} %, and nothing below " +
                     "can be told apart. Ask for as much or more.", question.Case.Name, 100.0 * question.Case.Floor));
             }
             ErrorModel model = models.FirstOrDefault(m => m.Case == question.Case) ?? throw new CommandLineException(
-                $"The chart in '{chart.Folder}' has no whole run of {question.Case.Name}. Measure it: ./run chart --case {question.Case.Name}.");
+                $"The chart in '{chart.Folder}' has no whole run of {question.Case.Name}. Measure it: ./run chart --case " +
+                $"{question.Case.Name}.");
             List<ChoiceOption> options = Options(model, question).ToList();
             if (options.Count == 0)
             {
-                throw new CommandLineException(string.Format(CultureInfo.InvariantCulture, "--compression: the chart in '{0}' has no run of {1} with {2:G3} % or less; its stiffest " +
+                throw new CommandLineException(string.Format(CultureInfo.InvariantCulture,
+                    "--compression: the chart in '{0}' has no run of {1} with {2:G3} % or less; its stiffest " +
                     "has {3:G2} %.", chart.Folder, question.Case.Name, 100.0 * question.Compression, 100.0 * Stiffest(model)));
             }
             return new ChoiceAnswer(question, chart, options);
@@ -57,21 +63,19 @@ namespace SphFluid.Validation
             return curve != null && curve.Error.Covers(resolution) ? new ChoiceOption(curve, resolution, ChoiceScale.Of(question)) : null;
         }
 
-        static double Stiffest(ErrorModel model) => model.Curves.Min(c => c.Compression);
+        private static double Stiffest(ErrorModel model) => model.Curves.Min(c => c.Compression);
 
         // The text as printed is not for use.
-        static IEnumerable<ChoiceOption> Options(ErrorModel model, ChoiceQuestion question)
+        private static IEnumerable<ChoiceOption> Options(ErrorModel model, ChoiceQuestion question)
         {
             ChoiceScale scale = ChoiceScale.Of(question);
             foreach (ChoiceCurve curve in model.Curves.Where(c => c.First.Method != "thesis-printed"))
             {
-                if (curve.Compression > question.Compression * 1.001)
-                    continue;
+                if (curve.Compression > question.Compression * 1.001) continue;
                 int last = curve.Points[curve.Points.Count - 1].Resolution;
                 for (int resolution = curve.Points[0].Resolution; resolution <= last; resolution++)
                 {
-                    if (curve.Error.Covers(resolution))
-                        yield return new ChoiceOption(curve, resolution, scale);
+                    if (curve.Error.Covers(resolution)) yield return new ChoiceOption(curve, resolution, scale);
                 }
             }
         }

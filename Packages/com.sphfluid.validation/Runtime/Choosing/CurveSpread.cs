@@ -3,13 +3,15 @@ using System.Linq;
 
 namespace SphFluid.Validation
 {
-    /// <summary>How much measurements at a point scatter, and how much curves wander between points, as several curves show it together.</summary>
-    readonly struct CurveSpread
+    /// <summary>
+    /// How much measurements at a point scatter, and how much curves wander between points, as several curves show it together.
+    /// </summary>
+    internal readonly struct CurveSpread
     {
         // What is expected before anything is measured counts like so many measurements.
-        const double Trust = 2.0;
+        private const double Trust = 2.0;
 
-        CurveSpread(double noise, double wander)
+        private CurveSpread(double noise, double wander)
         {
             Noise = noise;
             Wander = wander;

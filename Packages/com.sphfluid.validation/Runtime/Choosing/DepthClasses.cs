@@ -3,10 +3,12 @@ using System.Linq;
 
 namespace SphFluid.Validation
 {
-    /// <summary>How many particles deep water must be for an error of its waves, by a chart: the numbers behind the inspector's error class.</summary>
-    sealed class DepthClasses
+    /// <summary>
+    /// How many particles deep water must be for an error of its waves, by a chart: the numbers behind the inspector's error class.
+    /// </summary>
+    internal sealed class DepthClasses
     {
-        DepthClasses(double supportRatio, int coarsest, int finest, IReadOnlyList<int> depths)
+        private DepthClasses(double supportRatio, int coarsest, int finest, IReadOnlyList<int> depths)
         {
             SupportRatio = supportRatio;
             Coarsest = coarsest;
@@ -38,7 +40,8 @@ namespace SphFluid.Validation
                 .Where(c => c.First.Method == method.Name && c.First.SoundSpeedRatio.Equals(ratio)).OrderBy(c => c.First.SupportRatio)
                 .Select(curve =>
                 {
-                    List<int> covered = Enumerable.Range(curve.Points[0].Resolution, curve.Points[curve.Points.Count - 1].Resolution - curve.Points[0].Resolution + 1)
+                    List<int> covered = Enumerable.Range(curve.Points[0].Resolution,
+                        curve.Points[curve.Points.Count - 1].Resolution - curve.Points[0].Resolution + 1)
                         .Where(n => curve.Error.Covers(n)).ToList();
                     return new DepthClasses(curve.First.SupportRatio, covered[0], covered[covered.Count - 1],
                         limits.Select(limit => covered.FirstOrDefault(n => curve.Error.At(n).Value <= limit)).ToList());

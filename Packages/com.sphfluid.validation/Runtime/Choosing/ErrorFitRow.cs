@@ -24,10 +24,10 @@ namespace SphFluid.Validation
             .Number("seed_scatter", r => r.curve.Error.Scatter)
             .Number("wander", r => r.curve.Error.Wander);
 
-        readonly ErrorModel model;
-        readonly ChoiceCurve curve;
+        private readonly ErrorModel model;
+        private readonly ChoiceCurve curve;
 
-        ErrorFitRow(ErrorModel model, ChoiceCurve curve)
+        private ErrorFitRow(ErrorModel model, ChoiceCurve curve)
         {
             this.model = model;
             this.curve = curve;
@@ -35,7 +35,10 @@ namespace SphFluid.Validation
             Order = -Order;
         }
 
-        /// <summary>p of an error that falls as dxᵖ: the slope of a straight line through all points on logarithmic axes; not a number with one point.</summary>
+        /// <summary>
+        /// p of an error that falls as dxᵖ: the slope of a straight line through all points on logarithmic axes; not a number with one
+        /// point.
+        /// </summary>
         public double Order { get; }
 
         /// <summary>Standard error of the order; not a number with fewer than three points.</summary>

@@ -28,7 +28,9 @@ namespace SphFluid.Validation
         /// <summary>Upper end of the interval.</summary>
         public double High { get; }
 
-        /// <summary>What five of six measurements keep below: a deviation above the value. Choices go by it, else the luckiest point would win.</summary>
+        /// <summary>
+        /// What five of six measurements keep below: a deviation above the value. Choices go by it, else the luckiest point would win.
+        /// </summary>
         public double Likely => Math.Sqrt(Value * High);
 
         /// <summary>Whether a measured value lies within the interval.</summary>

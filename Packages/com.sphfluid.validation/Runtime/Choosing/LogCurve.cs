@@ -5,18 +5,19 @@ using System.Linq;
 namespace SphFluid.Validation
 {
     /// <summary>
-    /// A positive quantity against a positive abscissa, straight between measured points on logarithmic axes, with the uncertainty of a Brownian
-    /// bridge: nothing is known of the curve between two points but how much curves of its kind wander. At a distance s of the way l between two
-    /// points the variance is W s (l − s)/l, beside that of the measurement itself; W comes from points that their neighbours predict.
+    /// A positive quantity against a positive abscissa, straight between measured points on logarithmic axes, with the uncertainty of a
+    /// Brownian bridge: nothing is known of the curve between two points but how much curves of its kind wander. At a distance s of the way
+    /// l between two points the variance is W s (l − s)/l, beside that of the measurement itself; W comes from points that their neighbours
+    /// predict.
     /// </summary>
-    sealed class LogCurve
+    internal sealed class LogCurve
     {
         // Samples' logarithms below this are of no error at all.
-        const double Least = 1e-9;
+        private const double Least = 1e-9;
 
-        readonly List<(double X, double Y, double Variance, int Count)> points;
+        private readonly List<(double X, double Y, double Variance, int Count)> points;
 
-        LogCurve(List<(double, double, double, int)> points) => this.points = points;
+        private LogCurve(List<(double, double, double, int)> points) => this.points = points;
 
         /// <summary>Whether there is a point.</summary>
         public bool IsEmpty => points.Count == 0;
@@ -32,7 +33,8 @@ namespace SphFluid.Validation
 
         /// <summary>A curve through the medians of samples.</summary>
         /// <param name="samples">Abscissa and samples of each point, in any order.</param>
-        public static LogCurve Of(IEnumerable<(double X, IReadOnlyList<double> Samples)> samples) => new LogCurve(samples.OrderBy(s => s.X).Select(s =>
+        public static LogCurve Of(IEnumerable<(double X, IReadOnlyList<double> Samples)> samples) =>
+            new LogCurve(samples.OrderBy(s => s.X).Select(s =>
         {
             List<double> logarithms = s.Samples.Select(v => Math.Log(Math.Max(Least, v))).OrderBy(v => v).ToList();
             double mean = logarithms.Average();
@@ -45,7 +47,9 @@ namespace SphFluid.Validation
         {
             var raised = new List<(double X, double Y, double Variance, int Count)>(points);
             for (int i = raised.Count - 2; i >= 0; i--)
+            {
                 raised[i] = (raised[i].X, Math.Max(raised[i].Y, raised[i + 1].Y), raised[i].Variance, raised[i].Count);
+            }
             return new LogCurve(raised);
         }
 
@@ -67,11 +71,12 @@ namespace SphFluid.Validation
             return (sum, Math.Max(0, points.Count - 2));
         }
 
-        /// <summary>The slope of a straight line through all points, and its standard error; not numbers where there are too few points.</summary>
+        /// <summary>
+        /// The slope of a straight line through all points, and its standard error; not numbers where there are too few points.
+        /// </summary>
         public (double Slope, double Error) Slope()
         {
-            if (points.Count < 2)
-                return (double.NaN, double.NaN);
+            if (points.Count < 2) return (double.NaN, double.NaN);
             double x = points.Average(p => p.X), y = points.Average(p => p.Y);
             double squares = points.Sum(p => (p.X - x) * (p.X - x)), slope = points.Sum(p => (p.X - x) * (p.Y - y)) / squares;
             double residuals = points.Sum(p => Math.Pow(p.Y - y - slope * (p.X - x), 2.0));
@@ -97,7 +102,8 @@ namespace SphFluid.Validation
             {
                 double next = spread.NoiseOf(points[i + 1].Variance, points[i + 1].Count);
                 double way = points[i + 1].X - points[i].X;
-                variance = (1.0 - share) * noise + share * next + (1.0 - share) * (1.0 - share) * noise / points[i].Count + share * share * next / points[i + 1].Count +
+                variance = (1.0 - share) * noise + share * next + (1.0 - share) * (1.0 - share) * noise / points[i].Count +
+                    share * share * next / points[i + 1].Count +
                     spread.Wander * share * (1.0 - share) * way;
             }
             double away = Math.Max(Math.Max(0.0, points[0].X - Math.Log(x)), Math.Log(x) - points[points.Count - 1].X);
@@ -105,12 +111,11 @@ namespace SphFluid.Validation
         }
 
         // The point before, and the share of the way to the next.
-        (int Index, double Share) Find(double x)
+        private (int Index, double Share) Find(double x)
         {
             double u = Math.Log(x);
             int i = points.FindLastIndex(p => p.X <= u + 1e-9);
-            if (i < 0)
-                return (0, 0.0);
+            if (i < 0) return (0, 0.0);
             return i + 1 < points.Count ? (i, Math.Max(0.0, (u - points[i].X) / (points[i + 1].X - points[i].X))) : (i, 0.0);
         }
     }

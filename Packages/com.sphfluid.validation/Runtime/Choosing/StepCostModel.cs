@@ -5,19 +5,20 @@ using System.Linq;
 namespace SphFluid.Validation
 {
     /// <summary>
-    /// The GPU time of a step of a method on a device: t = f + N (a + b κ³) + s S(N). f is what a step costs whatever the number of particles:
-    /// dispatches, and on a graphics card its idle time; a is a particle's own work, b that with its neighbours, of whom there are about κ³ as
-    /// many. S is the thesis's bitonic sort of the next power of two, P log₂P (log₂P + 1)/2 exchanges; other methods have none.
+    /// The GPU time of a step of a method on a device: t = f + N (a + b κ³) + s S(N). f is what a step costs whatever the number of
+    /// particles: dispatches, and on a graphics card its idle time; a is a particle's own work, b that with its neighbours, of whom there
+    /// are about κ³ as many. S is the thesis's bitonic sort of the next power of two, P log₂P (log₂P + 1)/2 exchanges; other methods have
+    /// none.
     /// </summary>
     public sealed class StepCostModel
     {
         // Relative residuals beyond this many of their median count less (P. J. Huber 1964).
-        const double Huber = 1.345 * 1.4826;
-        const int Rounds = 4;
+        private const double Huber = 1.345 * 1.4826;
+        private const int Rounds = 4;
 
-        readonly bool sorts;
+        private readonly bool sorts;
 
-        StepCostModel(bool sorts, double[] coefficients, double[] errors, double deviation, int least, int most)
+        private StepCostModel(bool sorts, double[] coefficients, double[] errors, double deviation, int least, int most)
         {
             this.sorts = sorts;
             Coefficients = coefficients;
@@ -45,7 +46,8 @@ namespace SphFluid.Validation
         /// <param name="method">The method.</param>
         /// <param name="samples">Number of particles, κ and time of a step [ms].</param>
         /// <exception cref="ArgumentException">There are no samples.</exception>
-        public static StepCostModel Fit(FluidMethodKind method, IReadOnlyList<(int Particles, double SupportRatio, double Milliseconds)> samples)
+        public static StepCostModel Fit(FluidMethodKind method,
+            IReadOnlyList<(int Particles, double SupportRatio, double Milliseconds)> samples)
         {
             bool sorts = method == FluidMethodKind.Thesis || method == FluidMethodKind.ThesisPrinted;
             List<double[]> terms = samples.Select(s => Terms(sorts, s.Particles, s.SupportRatio)).ToList();
@@ -60,16 +62,18 @@ namespace SphFluid.Validation
         /// <summary>Time of a step [ms].</summary>
         /// <param name="particles">Number of particles.</param>
         /// <param name="supportRatio">κ = R/dx.</param>
-        public double At(double particles, double supportRatio) => NonnegativeFit.Dot(Terms(sorts, particles, supportRatio), Coefficients.ToArray());
+        public double At(double particles, double supportRatio) =>
+            NonnegativeFit.Dot(Terms(sorts, particles, supportRatio), Coefficients.ToArray());
 
-        static double[] Terms(bool sorts, double particles, double supportRatio)
+        private static double[] Terms(bool sorts, double particles, double supportRatio)
         {
             double length = Math.Ceiling(Math.Log(Math.Max(2.0, particles), 2.0) - 1e-9);
-            return new[] { 1.0, particles, particles * supportRatio * supportRatio * supportRatio, sorts ? Math.Pow(2.0, length) * length * (length + 1.0) / 2.0 : 0.0 };
+            return new[] { 1.0, particles, particles * supportRatio * supportRatio * supportRatio,
+                sorts ? Math.Pow(2.0, length) * length * (length + 1.0) / 2.0 : 0.0 };
         }
 
         // Relative residuals count alike, and those that something disturbed less.
-        static double[] Robust(List<double[]> terms, List<double> times)
+        private static double[] Robust(List<double[]> terms, List<double> times)
         {
             List<double> weights = times.Select(t => 1.0 / (t * t)).ToList();
             double[] fit = NonnegativeFit.Solve(terms, times, weights);
@@ -83,15 +87,14 @@ namespace SphFluid.Validation
             return fit;
         }
 
-        static double[] Jackknife(List<double[]> terms, List<double> times, double[] fit)
+        private static double[] Jackknife(List<double[]> terms, List<double> times, double[] fit)
         {
             int count = terms.Count;
             var squares = new double[fit.Length];
             for (int left = 0; left < count && count > 1; left++)
             {
                 double[] without = Robust(terms.Where((_, i) => i != left).ToList(), times.Where((_, i) => i != left).ToList());
-                for (int j = 0; j < fit.Length; j++)
-                    squares[j] += (without[j] - fit[j]) * (without[j] - fit[j]);
+                for (int j = 0; j < fit.Length; j++) squares[j] += (without[j] - fit[j]) * (without[j] - fit[j]);
             }
             return squares.Select(s => Math.Sqrt(s * (count - 1) / count)).ToArray();
         }

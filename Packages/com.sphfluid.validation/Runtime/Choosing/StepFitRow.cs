@@ -6,7 +6,7 @@ namespace SphFluid.Validation
     /// <summary>A line of step-fits.csv: what a step of a method costs on the device, by number of particles and κ.</summary>
     public sealed class StepFitRow
     {
-        const double Micro = 1e3; // µs of a millisecond
+        private const double Micro = 1e3; // µs of a millisecond
 
         /// <summary>The file.</summary>
         public static readonly TableFormat<StepFitRow> Format = new TableFormat<StepFitRow>("step-fits.csv")
@@ -25,11 +25,11 @@ namespace SphFluid.Validation
             .Text("device", r => r.chart.Device)
             .Text("date", r => r.chart.Date);
 
-        readonly ChartData chart;
-        readonly CaseMethod method;
-        readonly StepCostModel cost;
+        private readonly ChartData chart;
+        private readonly CaseMethod method;
+        private readonly StepCostModel cost;
 
-        StepFitRow(ChartData chart, CaseMethod method)
+        private StepFitRow(ChartData chart, CaseMethod method)
         {
             this.chart = chart;
             this.method = method;
@@ -37,6 +37,7 @@ namespace SphFluid.Validation
         }
 
         /// <summary>The lines of a chart.</summary>
-        internal static IEnumerable<StepFitRow> Of(ChartData chart) => CaseMethod.All.Where(m => chart.CostOf(m) != null).Select(m => new StepFitRow(chart, m));
+        internal static IEnumerable<StepFitRow> Of(ChartData chart) =>
+            CaseMethod.All.Where(m => chart.CostOf(m) != null).Select(m => new StepFitRow(chart, m));
     }
 }

@@ -64,7 +64,10 @@ namespace SphFluid.Validation
         /// <summary>The quartiles' distance over the time, of the run's parts.</summary>
         public double TimeSpread { get; internal set; } = double.NaN;
 
-        /// <summary>Time of a step of 4,000 particles just before the run over the fitted one: above 1 the device was slower than when the chart was made.</summary>
+        /// <summary>
+        /// Time of a step of 4,000 particles just before the run over the fitted one: above 1 the device was slower than when the chart was
+        /// made.
+        /// </summary>
         public double Pace { get; internal set; } = double.NaN;
 
         /// <summary>Why the run failed; empty when it did not.</summary>
@@ -74,7 +77,8 @@ namespace SphFluid.Validation
         public string ChartDate { get; internal set; } = "";
 
         /// <summary>Whether the error lies within the answer's interval; at or below a reference's floor all errors are one.</summary>
-        public bool ErrorWithin => Answer.Error.Contains(MeasuredError) || MeasuredError <= Question.Case.Floor && Answer.Error.Low <= Question.Case.Floor;
+        public bool ErrorWithin => Answer.Error.Contains(MeasuredError) || MeasuredError <= Question.Case.Floor &&
+            Answer.Error.Low <= Question.Case.Floor;
 
         /// <summary>Measured time over the predicted one.</summary>
         public double TimeRatio => MeasuredMilliseconds / Answer.Milliseconds.Value;

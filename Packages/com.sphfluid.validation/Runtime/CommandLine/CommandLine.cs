@@ -11,7 +11,7 @@ namespace SphFluid.Validation
     /// </summary>
     public static class CommandLine
     {
-        const int UsageExitCode = 2;
+        private const int UsageExitCode = 2;
         internal const int FailureExitCode = 1;
 
         /// <summary>
@@ -42,37 +42,40 @@ namespace SphFluid.Validation
         }
 
         /// <summary>
-        /// Measures the tables of the thesis, the methods' steps or the surfaces against each other, on this device: the flags --table, --particles,
-        /// --grids, --repeat, --out, --sweep and --no-sweep; see <see cref="BenchArguments"/>. The program ends with it. A wrong flag ends it with exit code 2.
+        /// Measures the tables of the thesis, the methods' steps or the surfaces against each other, on this device: the flags --table,
+        /// --particles, --grids, --repeat, --out, --sweep and --no-sweep; see <see cref="BenchArguments"/>. The program ends with it. A
+        /// wrong flag ends it with exit code 2.
         /// </summary>
         public static void Bench() =>
             Measure("bench", (words, progress) => new BenchSession(BenchArguments.Parse(words), SessionAssets.FindShaders(), progress));
 
         /// <summary>
-        /// Measures the accuracy chart: the flags --quick, --case, --method, --out, --slice and --shard; see <see cref="ChartArguments"/>. The
-        /// program ends with it. A wrong flag, or a folder with another device's chart, ends it with exit code 2.
+        /// Measures the accuracy chart: the flags --quick, --case, --method, --out, --slice and --shard; see <see cref="ChartArguments"/>.
+        /// The program ends with it. A wrong flag, or a folder with another device's chart, ends it with exit code 2.
         /// </summary>
         public static void Chart() =>
             Measure("chart", (words, progress) => new ChartSession(ChartArguments.Parse(words), SessionAssets.FindShaders(), progress));
 
         /// <summary>
-        /// Answers which method, κ and spacing a flow needs for an error or a time, from a chart of this device: the flags --case, --error, --ms, --fps,
-        /// --length, --speed, --volume, --compression, --chart, --verify and --out; see <see cref="ChooseArguments"/>. The program ends with it. A wrong
-        /// flag, or a question that no chart answers, ends it with exit code 2.
+        /// Answers which method, κ and spacing a flow needs for an error or a time, from a chart of this device: the flags --case, --error,
+        /// --ms, --fps, --length, --speed, --volume, --compression, --chart, --verify and --out; see <see cref="ChooseArguments"/>. The
+        /// program ends with it. A wrong flag, or a question that no chart answers, ends it with exit code 2.
         /// </summary>
         public static void Choose() =>
             Measure("choose", (words, progress) => new ChooseSession(ChooseArguments.Parse(words), SessionAssets.FindShaders(), progress));
 
         /// <summary>
-        /// Measures where the methods are stable: the flags --quick, --map, --method, --out, --slice and --shard; see <see cref="StabilityArguments"/>.
-        /// The program ends with it. A wrong flag, or a folder with another device's maps, ends it with exit code 2.
+        /// Measures where the methods are stable: the flags --quick, --map, --method, --out, --slice and --shard; see
+        /// <see cref="StabilityArguments"/>. The program ends with it. A wrong flag, or a folder with another device's maps, ends it with
+        /// exit code 2.
         /// </summary>
         public static void Stability() =>
-            Measure("stability", (words, progress) => new StabilitySession(StabilityArguments.Parse(words), SessionAssets.FindShaders(), progress));
+            Measure("stability",
+                (words, progress) => new StabilitySession(StabilityArguments.Parse(words), SessionAssets.FindShaders(), progress));
 
         /// <summary>
-        /// Plays the scenes that nothing may leak from: the flags --scene, --out and --shard; see <see cref="LeakArguments"/>. The program ends
-        /// with it. A wrong flag ends it with exit code 2.
+        /// Plays the scenes that nothing may leak from: the flags --scene, --out and --shard; see <see cref="LeakArguments"/>. The program
+        /// ends with it. A wrong flag ends it with exit code 2.
         /// </summary>
         public static void Leaks() =>
             Measure("leaks", (words, progress) => new LeakSession(LeakArguments.Parse(words), SessionAssets.FindShaders(), progress));
@@ -82,7 +85,8 @@ namespace SphFluid.Validation
         /// <see cref="SurfaceArguments"/>. The program ends with it. A wrong flag ends it with exit code 2.
         /// </summary>
         public static void Surfaces() =>
-            Measure("surfaces", (words, progress) => new SurfaceSession(SurfaceArguments.Parse(words), SessionAssets.FindShaders(), progress));
+            Measure("surfaces",
+                (words, progress) => new SurfaceSession(SurfaceArguments.Parse(words), SessionAssets.FindShaders(), progress));
 
         /// <summary>
         /// Puts the folders of a sweep's shards together: their names and the flags --errors-only and --out behind a lone <c>--</c>; see
@@ -92,17 +96,19 @@ namespace SphFluid.Validation
         public static void Merge() => Measure("merge", (words, progress) => new MergeSession(MergeArguments.Parse(words), progress));
 
         /// <summary>
-        /// Plays a liquid by every way that the method Automatic has, and as it picks for each budget: the flags --budget, --particles, --repeat and --out; see
-        /// <see cref="BudgetArguments"/>. In play mode only. The program ends with it. A wrong flag ends it with exit code 2.
+        /// Plays a liquid by every way that the method Automatic has, and as it picks for each budget: the flags --budget, --particles,
+        /// --repeat and --out; see <see cref="BudgetArguments"/>. In play mode only. The program ends with it. A wrong flag ends it with
+        /// exit code 2.
         /// </summary>
         public static void Budgets() =>
             Measure("budgets", (words, progress) => new BudgetSession(BudgetArguments.Parse(words), SessionAssets.FindShaders(), progress));
 
         /// <summary>
-        /// Writes the liquids of a scene as cases of PySPH, with the motion of colliders while the scene plays without them: the flags --scene, --engine, --scheme,
-        /// --seconds, --frame-rate, --spacing, --particles, --ranks, --strict and --out; see <see cref="ExportArguments"/>. The program ends with it: with exit code 1
-        /// where a liquid could not be exported, which leaves the others written, and with 2 for a wrong flag. In the Unity Editor outside play mode colliders are
-        /// exported where the scene has them.
+        /// Writes the liquids of a scene as cases of PySPH, with the motion of colliders while the scene plays without them: the flags
+        /// --scene, --engine, --scheme, --seconds, --frame-rate, --spacing, --particles, --ranks, --strict and --out; see
+        /// <see cref="ExportArguments"/>. The program ends with it: with exit code 1 where a liquid could not be exported, which leaves the
+        /// others written, and with 2 for a wrong flag. In the Unity Editor outside play mode colliders are exported where the scene has
+        /// them.
         /// </summary>
         public static void Export()
         {
@@ -126,8 +132,9 @@ namespace SphFluid.Validation
         }
 
         /// <summary>
-        /// Gives cases of the chart to PySPH and compares its errors and times with the chart's: the flags --quick, --case, --python, --chart, --out and
-        /// --slice; see <see cref="PeerArguments"/>. The program ends with it. A wrong flag, or PySPH that is missing, ends it with exit code 2.
+        /// Gives cases of the chart to PySPH and compares its errors and times with the chart's: the flags --quick, --case, --python,
+        /// --chart, --out and --slice; see <see cref="PeerArguments"/>. The program ends with it. A wrong flag, or PySPH that is missing,
+        /// ends it with exit code 2.
         /// </summary>
         public static void Peers() => Measure("peers", (words, progress) => new PeerSession(PeerArguments.Parse(words), progress));
 
@@ -146,14 +153,13 @@ namespace SphFluid.Validation
                     Fail("play", exception.Message);
                     return;
                 }
-                if (!begun)
-                    PlayRecorder.Begin(arguments);
+                if (!begun) PlayRecorder.Begin(arguments);
                 begun = true;
             };
         }
 
         // A step a frame until the measurement is done; in the Editor outside play mode by its own update.
-        static void Measure(string verb, Func<string[], SessionProgress, IValidationSession> create)
+        private static void Measure(string verb, Func<string[], SessionProgress, IValidationSession> create)
         {
             try
             {
@@ -182,12 +188,11 @@ namespace SphFluid.Validation
             }
         }
 
-        static void EndExport(string message, int exitCode) => Fail("export", message, exitCode);
+        private static void EndExport(string message, int exitCode) => Fail("export", message, exitCode);
 
         internal static void Fail(string verb, string message, int exitCode = UsageExitCode)
         {
-            if (message != null)
-                Console.Error.WriteLine(verb + ": " + message);
+            if (message != null) Console.Error.WriteLine(verb + ": " + message);
 #if UNITY_EDITOR
             UnityEditor.EditorApplication.Exit(exitCode);
 #else

@@ -4,14 +4,14 @@ using System.Collections.Generic;
 namespace SphFluid.Validation
 {
     /// <summary>A flag of a verb, its value behind it or after an equals sign: <c>--out DIR</c> or <c>--out=DIR</c>.</summary>
-    sealed class CommandLineFlag
+    internal sealed class CommandLineFlag
     {
-        readonly IReadOnlyList<string> commandLine;
-        readonly string given;
-        readonly HashSet<string> single; // flags of one value that have theirs
-        int index;
+        private readonly IReadOnlyList<string> commandLine;
+        private readonly string given;
+        private readonly HashSet<string> single; // flags of one value that have theirs
+        private int index;
 
-        CommandLineFlag(IReadOnlyList<string> commandLine, int index, HashSet<string> single)
+        private CommandLineFlag(IReadOnlyList<string> commandLine, int index, HashSet<string> single)
         {
             this.commandLine = commandLine;
             this.single = single;
@@ -44,13 +44,17 @@ namespace SphFluid.Validation
                 var flag = new CommandLineFlag(commandLine, i, single);
                 if (Array.IndexOf(known, flag.Name) >= 0)
                     read(flag);
-                else if (separator >= 0 && takeWord != null && commandLine[i].Length > 0 && !commandLine[i].StartsWith("-", StringComparison.Ordinal))
+                else if (separator >= 0 && takeWord != null && commandLine[i].Length > 0 &&
+                    !commandLine[i].StartsWith("-", StringComparison.Ordinal))
                     takeWord(commandLine[i]);
                 else if (separator >= 0 && !commandLine[i].StartsWith("-", StringComparison.Ordinal))
-                    throw new CommandLineException($"'{CommandLineWords.Shown(commandLine[i])}' is not understood by {verb}: flags begin with --, and a scene is named by --scene. " +
+                    throw new CommandLineException(
+                        $"'{CommandLineWords.Shown(commandLine[i])}' is not understood by {verb}: flags begin with --, and a scene is " +
+                        "named by --scene. " +
                         $"Its flags are {string.Join(", ", known)}.");
                 else if (separator >= 0)
-                    throw new CommandLineException($"{CommandLineWords.Shown(commandLine[i])} is not a flag of {verb}{NearestWord.Question(flag.Name, known)} " +
+                    throw new CommandLineException(
+                        $"{CommandLineWords.Shown(commandLine[i])} is not a flag of {verb}{NearestWord.Question(flag.Name, known)} " +
                         $"Its flags are {string.Join(", ", known)}.");
                 i = flag.index;
             }
@@ -64,8 +68,7 @@ namespace SphFluid.Validation
         /// <exception cref="CommandLineException">There is none, it is empty, or the flag had one before.</exception>
         public string Value()
         {
-            if (!single.Add(Name))
-                throw new CommandLineException($"{Name} is given twice.");
+            if (!single.Add(Name)) throw new CommandLineException($"{Name} is given twice.");
             string value = given ?? CommandLineWords.Value(commandLine, ref index);
             return string.IsNullOrWhiteSpace(value) ? throw new CommandLineException($"{Name} must not be empty.") : value;
         }
@@ -97,6 +100,7 @@ namespace SphFluid.Validation
 
         /// <summary>Its values: words up to the next flag, each divided at its commas.</summary>
         /// <exception cref="CommandLineException">There is none, or one is empty.</exception>
-        public IReadOnlyList<string> Values() => given == null ? CommandLineWords.Values(commandLine, ref index) : CommandLineWords.List(Name, given);
+        public IReadOnlyList<string> Values() => given == null ? CommandLineWords.Values(commandLine, ref index)
+            : CommandLineWords.List(Name, given);
     }
 }

@@ -7,7 +7,11 @@ namespace SphFluid.Validation
     public static class CommandLineHelp
     {
         /// <summary>The verbs: play, bench, chart, choose, stability, leaks, surfaces, merge, budgets, peers, export and figures.</summary>
-        public static IReadOnlyList<string> Verbs { get; } = new[] { "play", "bench", "chart", "choose", "stability", "leaks", "surfaces", "merge", "budgets", "peers", "export", "figures" };
+        public static IReadOnlyList<string> Verbs
+        {
+            get;
+        } = new[] { "play", "bench", "chart", "choose", "stability", "leaks", "surfaces", "merge", "budgets", "peers", "export",
+            "figures" };
 
         /// <summary>The flags of a verb, as its parser reads them.</summary>
         /// <param name="verb">One of <see cref="Verbs"/>.</param>

@@ -6,7 +6,8 @@ namespace SphFluid.Validation
     /// <summary>A flag of a verb as its help shows it. The parser reads flags by the same object, so that none is without help.</summary>
     public sealed class CommandLineOption
     {
-        internal CommandLineOption(string name, string value, string text, string absent, IReadOnlyList<string> choices, Action<CommandLineFlag> read)
+        internal CommandLineOption(string name, string value, string text, string absent, IReadOnlyList<string> choices,
+            Action<CommandLineFlag> read)
         {
             Name = name;
             Value = value;

@@ -6,15 +6,14 @@ using System.Linq;
 namespace SphFluid.Validation
 {
     /// <summary>What the verbs' flags share.</summary>
-    static class CommandLineWords
+    internal static class CommandLineWords
     {
         /// <summary>Index of the lone <c>--</c> that ends the playing program's own flags, or −1.</summary>
         public static int Separator(IReadOnlyList<string> commandLine)
         {
             for (int i = 0; i < commandLine.Count; i++)
             {
-                if (commandLine[i] == "--")
-                    return i;
+                if (commandLine[i] == "--") return i;
             }
             return -1;
         }
@@ -25,7 +24,9 @@ namespace SphFluid.Validation
         {
             string flag = commandLine[index];
             if (index + 1 >= commandLine.Count || commandLine[index + 1].StartsWith("--", StringComparison.Ordinal))
+            {
                 throw new CommandLineException($"{flag} needs a value.");
+            }
             return commandLine[++index];
         }
 
@@ -36,7 +37,9 @@ namespace SphFluid.Validation
             string flag = commandLine[index];
             var values = new List<string>(List(flag, Value(commandLine, ref index)));
             while (index + 1 < commandLine.Count && !commandLine[index + 1].StartsWith("-", StringComparison.Ordinal))
+            {
                 values.AddRange(List(flag, commandLine[++index]));
+            }
             return values;
         }
 
@@ -48,8 +51,7 @@ namespace SphFluid.Validation
             for (int i = 0; i < words.Length; i++)
             {
                 words[i] = words[i].Trim();
-                if (words[i].Length == 0)
-                    throw new CommandLineException($"{flag} has an empty name in '{Shown(value)}'.");
+                if (words[i].Length == 0) throw new CommandLineException($"{flag} has an empty name in '{Shown(value)}'.");
             }
             return words;
         }
@@ -58,7 +60,10 @@ namespace SphFluid.Validation
         public static void RequireOneOf(string flag, string value, string[] allowed)
         {
             if (Array.IndexOf(allowed, value) < 0)
-                throw new CommandLineException($"{flag} must be one of {string.Join(", ", allowed)}, found '{Shown(value)}'{NearestWord.Question(value, allowed)}");
+            {
+                throw new CommandLineException(
+                    $"{flag} must be one of {string.Join(", ", allowed)}, found '{Shown(value)}'{NearestWord.Question(value, allowed)}");
+            }
         }
 
         /// <summary>Adds what has a name to what is chosen.</summary>
@@ -67,8 +72,7 @@ namespace SphFluid.Validation
         {
             RequireOneOf(flag, name, known.Select(nameOf).ToArray());
             T found = known.First(item => nameOf(item) == name);
-            if (chosen.Contains(found))
-                throw new CommandLineException($"{flag} has {name} twice.");
+            if (chosen.Contains(found)) throw new CommandLineException($"{flag} has {name} twice.");
             chosen.Add(found);
         }
 
@@ -76,8 +80,11 @@ namespace SphFluid.Validation
         /// <exception cref="CommandLineException">It is none.</exception>
         public static int Integer(string flag, string value, int least, int most)
         {
-            if (int.TryParse(value, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out int number) && number >= least && number <= most)
+            if (int.TryParse(value, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out int number) && number >= least &&
+                number <= most)
+            {
                 return number;
+            }
             throw new CommandLineException($"{flag} must be a whole number from {least} to {most}, found '{Shown(value)}'.");
         }
 
@@ -85,8 +92,7 @@ namespace SphFluid.Validation
         /// <exception cref="CommandLineException">It is none.</exception>
         public static double Positive(string flag, string value)
         {
-            if (TryNumber(value, out double number))
-                return number;
+            if (TryNumber(value, out double number)) return number;
             throw new CommandLineException($"{flag} must be a number above zero and at most 1000000000, found '{Shown(value)}'.");
         }
 
@@ -96,19 +102,25 @@ namespace SphFluid.Validation
         {
             bool percent = value.EndsWith("%", StringComparison.Ordinal);
             if (TryNumber((percent ? value.Substring(0, value.Length - 1) : value).Trim(), out double number))
+            {
                 return percent ? 0.01 * number : number;
+            }
             throw new CommandLineException($"{flag} must be a part above zero, such as 5% or 0.05, found '{Shown(value)}'.");
         }
 
-        static bool TryNumber(string value, out double number) =>
-            double.TryParse(value, NumberStyles.AllowDecimalPoint | NumberStyles.AllowExponent, CultureInfo.InvariantCulture, out number) && number > 0.0 && number <= 1e9;
+        private static bool TryNumber(string value, out double number) =>
+            double.TryParse(value, NumberStyles.AllowDecimalPoint | NumberStyles.AllowExponent, CultureInfo.InvariantCulture, out number) &&
+                number > 0.0 && number <= 1e9;
 
         /// <summary>A number of milliseconds above zero.</summary>
         /// <exception cref="CommandLineException">It is none.</exception>
         public static double Milliseconds(string flag, string value)
         {
-            if (!double.TryParse(value, NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out double milliseconds) || !(milliseconds >= 1e-3) || milliseconds > 1e6)
+            if (!double.TryParse(value, NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out double milliseconds) ||
+                !(milliseconds >= 1e-3) || milliseconds > 1e6)
+            {
                 throw new CommandLineException($"{flag} must be a number of milliseconds from 0.001 to 1000000, found '{Shown(value)}'.");
+            }
             return milliseconds;
         }
 
@@ -116,8 +128,12 @@ namespace SphFluid.Validation
         /// <exception cref="CommandLineException">It is none.</exception>
         public static TimeSpan Minutes(string flag, string value)
         {
-            if (!double.TryParse(value, NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out double minutes) || !(minutes >= 1e-6) || minutes > 1e6)
-                throw new CommandLineException($"{flag} must be a number of minutes above zero and at most 1000000, found '{Shown(value)}'.");
+            if (!double.TryParse(value, NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out double minutes) ||
+                !(minutes >= 1e-6) || minutes > 1e6)
+            {
+                throw new CommandLineException(
+                    $"{flag} must be a number of minutes above zero and at most 1000000, found '{Shown(value)}'.");
+            }
             return TimeSpan.FromMinutes(minutes);
         }
 

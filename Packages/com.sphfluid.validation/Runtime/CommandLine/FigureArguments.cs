@@ -3,7 +3,7 @@ using System.Collections.Generic;
 namespace SphFluid.Validation
 {
     /// <summary>Which pictures <c>figures</c> makes and where it writes.</summary>
-    sealed class FigureArguments : MeasuringArguments
+    internal sealed class FigureArguments : MeasuringArguments
     {
         internal FigureArguments(string[] names) : base("figures", null)
         {

@@ -11,26 +11,35 @@ namespace SphFluid.Validation
     /// </summary>
     public sealed class PlayArguments
     {
-        const string OutFlag = "--out";
-        const string AutomaticName = "automatic";
-        const string MeshText = "writes the surface at the end: with marching-cubes the sparse one, with marching-cubes-gs and cubes the thesis's grid, " +
+        private const string OutFlag = "--out";
+        private const string AutomaticName = "automatic";
+        private const string MeshText =
+            "writes the surface at the end: with marching-cubes the sparse one, with marching-cubes-gs and cubes the thesis's grid, " +
             "with particles and none as the scene's own surface component would make it";
-        static readonly string[] surfaces = { "marching-cubes", "marching-cubes-gs", "cubes", "particles", "none" };
+        private static readonly string[] surfaces = { "marching-cubes", "marching-cubes-gs", "cubes", "particles", "none" };
 
         internal PlayArguments()
         {
             string[] methods = CaseMethod.All.Select(m => m.Name).Append(AutomaticName).ToArray();
-            Options.Add("--method", "NAME", "solver of every liquid (automatic: the one that fits the frame budget)", "as in the scene", methods, flag => Method = KindOf(flag.OneOf(methods)));
-            Options.Add("--budget", "MS", "milliseconds a frame that the steps of every liquid may take with --method automatic", "as in the scene",
+            Options.Add("--method", "NAME", "solver of every liquid (automatic: the one that fits the frame budget)", "as in the scene",
+                methods, flag => Method = KindOf(flag.OneOf(methods)));
+            Options.Add("--budget", "MS", "milliseconds a frame that the steps of every liquid may take with --method automatic",
+                "as in the scene",
                 flag => Budget = (float)flag.Milliseconds());
-            Options.Add("--surface", "NAME", "how every liquid is drawn (none: not at all)", "as in the scene", surfaces, flag => Surface = flag.OneOf(surfaces));
-            Options.Add("--particles", "N", "the same liquid with about N particles", "as in the scene", flag => Particles = flag.Integer(1, int.MaxValue));
+            Options.Add("--surface", "NAME", "how every liquid is drawn (none: not at all)", "as in the scene", surfaces,
+                flag => Surface = flag.OneOf(surfaces));
+            Options.Add("--particles", "N", "the same liquid with about N particles", "as in the scene",
+                flag => Particles = flag.Integer(1, int.MaxValue));
             Options.Add("--seed", "N", "seed of the start jitter", "as in the scene", flag => Seed = flag.Integer(0, int.MaxValue));
-            Options.Add("--sequence", "DIR", "plays the liquid from the particle files of a sequence instead of simulating it", null, flag => Sequence = flag.Value());
-            Options.Add("--write-sequence", "DIR", "writes the particles of every frame as a sequence", null, flag => SequenceFolder = flag.Folder());
+            Options.Add("--sequence", "DIR", "plays the liquid from the particle files of a sequence instead of simulating it", null,
+                flag => Sequence = flag.Value());
+            Options.Add("--write-sequence", "DIR", "writes the particles of every frame as a sequence", null,
+                flag => SequenceFolder = flag.Folder());
             Options.Add("--state", "FILE.ply", "writes the particles at the end", null, flag => StateFile = flag.File(".ply"));
             Options.Add("--mesh", "FILE.ply", MeshText, null, flag => MeshFile = flag.File(".ply"));
-            Options.Add("--record", "FILE.csv", "writes speed, density error, energy and centre of mass of every frame, and what instruments read, with a plot", null, flag => RecordFile = flag.File(".csv"));
+            Options.Add("--record", "FILE.csv",
+                "writes speed, density error, energy and centre of mass of every frame, and what instruments read, with a plot", null,
+                flag => RecordFile = flag.File(".csv"));
         }
 
         internal CommandLineOptions Options { get; } = new CommandLineOptions("play's liquid");
@@ -41,7 +50,9 @@ namespace SphFluid.Validation
         /// <summary>Frame budget for every simulation [ms]; null keeps the scene's.</summary>
         public float? Budget { get; private set; }
 
-        /// <summary>Drawing for every simulation: marching-cubes, marching-cubes-gs, cubes, particles or none; null keeps the scene's.</summary>
+        /// <summary>
+        /// Drawing for every simulation: marching-cubes, marching-cubes-gs, cubes, particles or none; null keeps the scene's.
+        /// </summary>
         public string Surface { get; private set; }
 
         /// <summary>Number of particles for every simulation, by rescaling its spacing; null keeps the scene's.</summary>
@@ -91,27 +102,44 @@ namespace SphFluid.Validation
             return result;
         }
 
-        static FluidMethodKind KindOf(string name) => name == AutomaticName ? FluidMethodKind.Automatic : CaseMethod.Find(name).Kind;
+        private static FluidMethodKind KindOf(string name) => name == AutomaticName ? FluidMethodKind.Automatic
+            : CaseMethod.Find(name).Kind;
 
-        void RequireUse()
+        private void RequireUse()
         {
             if (Budget != null && Method != null && Method != FluidMethodKind.Automatic)
-                throw new CommandLineException($"--budget acts with --method {AutomaticName} only; give --method {AutomaticName}, or no budget.");
+            {
+                throw new CommandLineException(
+                    $"--budget acts with --method {AutomaticName} only; give --method {AutomaticName}, or no budget.");
+            }
             // What is played is not started: it has its own particles.
-            string idle = Sequence == null ? null : Method != null ? "--method" : Budget != null ? "--budget" : Particles != null ? "--particles" : Seed != null ? "--seed" : null;
+            string idle = Sequence == null ? null : Method != null ? "--method" : Budget != null ? "--budget" : Particles != null
+                ? "--particles" : Seed != null ? "--seed" : null;
             if (idle != null)
-                throw new CommandLineException($"{idle} changes how a liquid starts, and --sequence plays one that is there; give one of them.");
+            {
+                throw new CommandLineException(
+                    $"{idle} changes how a liquid starts, and --sequence plays one that is there; give one of them.");
+            }
             if (SequenceFolder != null && Directory.Exists(SequenceFolder) &&
                 (File.Exists(Path.Combine(SequenceFolder, "sequence.json")) || Directory.GetFiles(SequenceFolder, "*.ply").Length > 0))
-                throw new CommandLineException($"--write-sequence: '{CommandLineWords.Shown(SequenceFolder)}' holds a sequence or .ply files already; name another folder.");
+            {
+                throw new CommandLineException(
+                    $"--write-sequence: '{CommandLineWords.Shown(SequenceFolder)}' holds a sequence or .ply files already; name another " +
+                    "folder.");
+            }
         }
 
-        void RequireDifferentFiles()
+        private void RequireDifferentFiles()
         {
             if (StateFile != null && MeshFile != null && Path.GetFullPath(StateFile) == Path.GetFullPath(MeshFile))
+            {
                 throw new CommandLineException("--state and --mesh name the same file; give them two.");
-            if (RecordFile != null && OutputFolder != null && Path.GetFullPath(RecordFile) == Path.GetFullPath(Path.Combine(OutputFolder, "timings.csv")))
+            }
+            if (RecordFile != null && OutputFolder != null &&
+                Path.GetFullPath(RecordFile) == Path.GetFullPath(Path.Combine(OutputFolder, "timings.csv")))
+            {
                 throw new CommandLineException("--record names timings.csv of the folder of --out; give it another name.");
+            }
         }
     }
 }

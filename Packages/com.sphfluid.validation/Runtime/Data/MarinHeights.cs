@@ -55,11 +55,10 @@ namespace SphFluid.Validation
         /// <summary>Number of rows.</summary>
         public static int Rows => Heights[0].Length;
 
-        static double[] Metres(params int[] millimetres)
+        private static double[] Metres(params int[] millimetres)
         {
             var metres = new double[millimetres.Length];
-            for (int i = 0; i < metres.Length; i++)
-                metres[i] = 0.001 * millimetres[i];
+            for (int i = 0; i < metres.Length; i++) metres[i] = 0.001 * millimetres[i];
             return metres;
         }
     }

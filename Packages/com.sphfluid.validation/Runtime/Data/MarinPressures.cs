@@ -31,11 +31,10 @@ namespace SphFluid.Validation
             1, -2, -2, -2, -3, -4, -3, -1, -1, -2, -2, -2, -3, -3, -2, -2, -2, 1, 19, 35,
             44, 48, 48, 55, 54, 53, 49, 41, 35, 32, 31, 30, 33, 36, 44, 52, 57, 71, 86, 97);
 
-        static double[] Pascals(params int[] tens)
+        private static double[] Pascals(params int[] tens)
         {
             var pascals = new double[tens.Length];
-            for (int i = 0; i < tens.Length; i++)
-                pascals[i] = 10.0 * tens[i];
+            for (int i = 0; i < tens.Length; i++) pascals[i] = 10.0 * tens[i];
             return pascals;
         }
     }

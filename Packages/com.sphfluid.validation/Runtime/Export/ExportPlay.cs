@@ -7,14 +7,17 @@ using UnityEngine.SceneManagement;
 
 namespace SphFluid.Validation
 {
-    /// <summary>Exports the liquids of a scene from the command line: as they start, with the motion that colliders have while the scene plays without them.</summary>
-    sealed class ExportPlay
+    /// <summary>
+    /// Exports the liquids of a scene from the command line: as they start, with the motion that colliders have while the scene plays
+    /// without them.
+    /// </summary>
+    internal sealed class ExportPlay
     {
-        readonly ExportArguments arguments;
-        readonly Action<string, int> fail;
-        bool loaded;
+        private readonly ExportArguments arguments;
+        private readonly Action<string, int> fail;
+        private bool loaded;
 
-        ExportPlay(ExportArguments arguments, Action<string, int> fail)
+        private ExportPlay(ExportArguments arguments, Action<string, int> fail)
         {
             this.arguments = arguments;
             this.fail = fail;
@@ -45,8 +48,7 @@ namespace SphFluid.Validation
         {
             var export = new ExportPlay(arguments, fail);
             FluidSimulation[] simulations = LoadedScenes.Find<FluidSimulation>().ToArray();
-            if (!export.TryPrepare(simulations))
-                return;
+            if (!export.TryPrepare(simulations)) return;
             FluidExport[] exports = simulations.Select(s => FluidExport.Begin(s, export.Options)).ToArray();
             try
             {
@@ -54,12 +56,11 @@ namespace SphFluid.Validation
             }
             finally
             {
-                foreach (FluidExport made in exports)
-                    made.Dispose();
+                foreach (FluidExport made in exports) made.Dispose();
             }
         }
 
-        FluidExportOptions Options => new FluidExportOptions
+        private FluidExportOptions Options => new FluidExportOptions
         {
             Seconds = arguments.Seconds,
             FrameRate = arguments.FrameRate,
@@ -70,27 +71,24 @@ namespace SphFluid.Validation
         };
 
         // Loading says itself what is wrong with a scene.
-        void RequireLoaded(GameObject holder)
+        private void RequireLoaded(GameObject holder)
         {
             UnityEngine.Object.Destroy(holder);
-            if (!loaded)
-                fail(null, 2);
+            if (!loaded) fail(null, 2);
         }
 
         // Before the first frame, so that no liquid starts; its colliders move on.
-        void OnLoaded(Scene scene, LoadSceneMode mode)
+        private void OnLoaded(Scene scene, LoadSceneMode mode)
         {
             loaded = true;
             SceneManager.sceneLoaded -= OnLoaded;
             FluidSimulation[] simulations = FluidSimulation.Active.ToArray();
-            if (!TryPrepare(simulations))
-                return;
-            foreach (FluidSimulation simulation in simulations)
-                simulation.StopSimulation();
+            if (!TryPrepare(simulations)) return;
+            foreach (FluidSimulation simulation in simulations) simulation.StopSimulation();
             FluidExportRecorder.Begin(simulations, Options, exports => Application.Quit(Write(simulations, exports)));
         }
 
-        bool TryPrepare(FluidSimulation[] simulations)
+        private bool TryPrepare(FluidSimulation[] simulations)
         {
             if (simulations.Length == 0)
             {
@@ -99,16 +97,14 @@ namespace SphFluid.Validation
             }
             foreach (FluidSimulation simulation in simulations)
             {
-                if (arguments.Spacing is float spacing)
-                    simulation.Spacing = spacing;
-                if (arguments.Particles is int count)
-                    Fit(simulation, count);
+                if (arguments.Spacing is float spacing) simulation.Spacing = spacing;
+                if (arguments.Particles is int count) Fit(simulation, count);
             }
             return true;
         }
 
         // One that holds no liquid keeps its spacing: it is not exported, and the others are.
-        static void Fit(FluidSimulation simulation, int count)
+        private static void Fit(FluidSimulation simulation, int count)
         {
             try
             {
@@ -121,22 +117,22 @@ namespace SphFluid.Validation
         }
 
         // The exit code: 1 where a liquid could not be exported; the others are written all the same.
-        int Write(IReadOnlyList<FluidSimulation> simulations, IReadOnlyList<FluidExport> exports)
+        private int Write(IReadOnlyList<FluidSimulation> simulations, IReadOnlyList<FluidExport> exports)
         {
             foreach (FluidExport export in exports)
-                foreach (FluidMessage message in export.Messages)
-                    message.Log();
+                foreach (FluidMessage message in export.Messages) message.Log();
             if (arguments.Strict && exports.Any(e => e.LeavesOut || !e.HasLiquid))
             {
-                Console.Error.WriteLine("export: nothing is written, because --strict is given and the parts of the scene named above cannot be exported.");
+                Console.Error
+                    .WriteLine(
+                        "export: nothing is written, because --strict is given and the parts of the scene named above cannot be exported.");
                 return 1;
             }
             try
             {
                 string[] folders = FluidExport.FoldersOf(simulations, arguments.OutputFolder);
                 for (int i = 0; i < exports.Count; i++)
-                    if (exports[i].HasLiquid)
-                        WriteOne(exports[i], folders[i]);
+                    if (exports[i].HasLiquid) WriteOne(exports[i], folders[i]);
                 return exports.All(e => e.HasLiquid) ? 0 : 1;
             }
             catch (Exception exception) when (exception is IOException || exception is UnauthorizedAccessException)
@@ -146,11 +142,12 @@ namespace SphFluid.Validation
             }
         }
 
-        static void WriteOne(FluidExport export, string folder)
+        private static void WriteOne(FluidExport export, string folder)
         {
             long bytes = export.Write(folder);
             Console.WriteLine(FormattableString.Invariant(
-                $"{export.ParticleCount} particles of liquid and {export.WallParticleCount} of walls, {bytes / 1e6:0.0} MB, in {folder}. Run it: bash {Path.Combine(folder, "run.sh")}"));
+                $"{export.ParticleCount} particles of liquid and {export.WallParticleCount} of walls, {bytes / 1e6:0.0} MB, in ") +
+                FormattableString.Invariant($"{folder}. Run it: bash {Path.Combine(folder, "run.sh")}"));
         }
     }
 }

@@ -5,11 +5,14 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>Where the density is wrong: at surfaces, without the particle itself, in one place, in depth, in other liquid.</summary>
-    static class DensityFailures
+    internal static class DensityFailures
     {
-        const int Layers = 24;
+        private const int Layers = 24;
 
-        /// <summary>A bar that is periodic along z: particles in its faces and at its edges find too little, and without the clamp suction acts on them.</summary>
+        /// <summary>
+        /// A bar that is periodic along z: particles in its faces and at its edges find too little, and without the clamp suction acts on
+        /// them.
+        /// </summary>
         public static FailureExperiment Deficiency(float ratio = 2f)
         {
             int side = 2 * Mathf.CeilToInt(ratio) + 1, length = Mathf.CeilToInt(3f * ratio);
@@ -32,7 +35,9 @@ namespace SphFluid.Validation
         public static void Layer(FailureResult result, out double face, out double edge)
         {
             FluidSnapshot start = result.States[0];
-            int side = (int)Math.Round(Math.Sqrt(start.Count / (double)Mathf.CeilToInt(3f * result.Settings.SupportRadius / result.Settings.Spacing)));
+            int side =
+                (int)Math.Round(
+                    Math.Sqrt(start.Count / (double)Mathf.CeilToInt(3f * result.Settings.SupportRadius / result.Settings.Spacing)));
             edge = start.Densities[0] / (double)result.Settings.RestDensity; // ids count x first
             face = start.Densities[side / 2] / (double)result.Settings.RestDensity;
         }
@@ -55,7 +60,8 @@ namespace SphFluid.Validation
             Vector3 place = box.Start[0].Position;
             FluidParticle[] At(Vector3 position) => FailureBlocks.Join(box.Start, new[] { new FluidParticle(position, Vector3.zero, 0) });
             return new FailureExperiment("coincident", FluidFailure.CoincidentParticles, box.From(At(place)),
-                box.From(At(place + 0.1f * FailureBlocks.Spacing * new Vector3(0.36f, 0.48f, 0.8f))), "distance of the two after 20 steps [dx]", r =>
+                box.From(At(place + 0.1f * FailureBlocks.Spacing * new Vector3(0.36f, 0.48f, 0.8f))),
+                "distance of the two after 20 steps [dx]", r =>
                 {
                     Vector3[] p = r.End.LocalPositions;
                     Vector3 d = p[p.Length - 1] - p[0], box = r.Settings.DomainSize;
@@ -68,7 +74,8 @@ namespace SphFluid.Validation
         /// <summary>24 spacings of liquid that its own weight compresses: m = c²/gH = 5; cured: c² = gH/0.04.</summary>
         public static FailureExperiment DeepTank(double ratio = 5.0)
         {
-            return new FailureExperiment("deep-tank", FluidFailure.DeepTankLoss, Tank(ratio), Tank(25.0), "height over the lattice's at the end", Height);
+            return new FailureExperiment("deep-tank", FluidFailure.DeepTankLoss, Tank(ratio), Tank(25.0),
+                "height over the lattice's at the end", Height);
 
             FailureRun Tank(double m)
             {
@@ -90,14 +97,16 @@ namespace SphFluid.Validation
             Vector3 domain = 20f * dx * Vector3.one;
             var counts = new Vector3Int(6, 6, 6);
             FluidParticle[] first = FailureBlocks.Lattice(counts, dx, -6f * dx * Vector3.one, 0.01 * dx, 0.5f * domain);
-            FluidParticle[] At(float x) => FailureBlocks.Join(first, FailureBlocks.Lattice(counts, dx, dx * new Vector3(x, -5.6f, -5.5f), 0.01 * dx, 0.5f * domain, 2));
+            FluidParticle[] At(float x) =>
+                FailureBlocks.Join(first,
+                    FailureBlocks.Lattice(counts, dx, dx * new Vector3(x, -5.6f, -5.5f), 0.01 * dx, 0.5f * domain, 2));
             var run = new FailureRun { Settings = FailureBlocks.Settings(domain), Steps = 10, Samples = 10 };
             return new FailureExperiment("overlapping-start", FluidFailure.OverlappingStart, run.From(At(-3.3f)), run.From(At(0f)),
                 "fastest particle of the first 10 steps over c", r => r.Statistics.Max(v => v.MaxSpeed) / r.Settings.SoundSpeed);
         }
 
         // Highest layer over lowest, and a layer's own height.
-        static double Height(FailureResult result)
+        private static double Height(FailureResult result)
         {
             int layer = result.Run.Start.Length / Layers, first = result.States.Count / 2;
             double sum = 0.0;

@@ -4,13 +4,14 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>Lattices, jitter and constants of the failure experiments. Spacing 0.1 m, c_eff 10 m/s, no gravity unless said.</summary>
-    static class FailureBlocks
+    internal static class FailureBlocks
     {
         public const float Spacing = 0.1f;
         public const float Sound = 10f;
 
         /// <summary>Constants by rule for c_eff = <see cref="Sound"/>, all guards of the corrected form on.</summary>
-        public static FluidSolverSettings Settings(Vector3 domain, float ratio = 2f, FluidAxes periodic = FluidAxes.None, float spacing = Spacing)
+        public static FluidSolverSettings Settings(Vector3 domain, float ratio = 2f, FluidAxes periodic = FluidAxes.None,
+            float spacing = Spacing)
         {
             FluidRuleInput input = FluidRuleInput.ThesisWater;
             input.DomainSize = domain;
@@ -66,12 +67,15 @@ namespace SphFluid.Validation
             for (int i = 0; i < start.Length; i++)
             {
                 double above = height - (start[i].Position.y + 0.5 * domain.y); // of liquid, as a lattice
-                start[i].Position.y = (float)(-0.5 * domain.y + ratio * height * (Math.Log(1.0 + 1.0 / ratio) - Math.Log(1.0 + above / (ratio * height))));
+                start[i].Position.y =
+                    (float)(-0.5 * domain.y + ratio * height * (Math.Log(1.0 + 1.0 / ratio) - Math.Log(1.0 + above / (ratio * height))));
             }
             return new FailureRun { Settings = settings, Start = start };
         }
 
-        /// <summary>A block of particles; the jitter is normal, and nothing leaves the box of half size <paramref name="inside"/>.</summary>
+        /// <summary>
+        /// A block of particles; the jitter is normal, and nothing leaves the box of half size <paramref name="inside"/>.
+        /// </summary>
         public static FluidParticle[] Lattice(Vector3Int counts, float spacing, Vector3 corner, double jitter, Vector3 inside, int seed = 1)
         {
             var positions = CaseLattice.Box(counts, spacing, corner);
@@ -83,8 +87,7 @@ namespace SphFluid.Validation
         public static FluidParticle[] Join(params FluidParticle[][] blocks)
         {
             int count = 0;
-            foreach (FluidParticle[] block in blocks)
-                count += block.Length;
+            foreach (FluidParticle[] block in blocks) count += block.Length;
             var all = new FluidParticle[count];
             int at = 0;
             foreach (FluidParticle[] block in blocks)

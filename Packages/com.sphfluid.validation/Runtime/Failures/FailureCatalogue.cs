@@ -8,10 +8,12 @@ namespace SphFluid.Validation
         /// <summary>All.</summary>
         public static IReadOnlyList<FailureExperiment> All() => new[]
         {
-            InteractionFailures.TensileClumping(), InteractionFailures.Pairing(), InteractionFailures.KernelMismatch(), DensityFailures.Deficiency(),
+            InteractionFailures.TensileClumping(), InteractionFailures.Pairing(), InteractionFailures.KernelMismatch(),
+            DensityFailures.Deficiency(),
             DensityFailures.SelfTerm(), DensityFailures.Coincident(), StepFailures.TimeStep(), StepFailures.Viscosity(),
             StepFailures.NumericalViscosity(), DensityFailures.DeepTank(), WallFailures.Tunnelling(), WallFailures.Stacking(),
-            GuardFailures.Clamp(), GuardFailures.Overflow(), DensityFailures.Overlap(), NeighbourFailures.AsymmetricPairs(), NeighbourFailures.StaleGrid(),
+            GuardFailures.Clamp(), GuardFailures.Overflow(), DensityFailures.Overlap(), NeighbourFailures.AsymmetricPairs(),
+            NeighbourFailures.StaleGrid(),
         };
 
         /// <summary>The experiment of a name.</summary>
@@ -21,8 +23,7 @@ namespace SphFluid.Validation
         {
             foreach (FailureExperiment experiment in All())
             {
-                if (experiment.Name == name)
-                    return experiment;
+                if (experiment.Name == name) return experiment;
             }
             throw new System.ArgumentException($"There is no failure experiment '{name}'.", nameof(name));
         }

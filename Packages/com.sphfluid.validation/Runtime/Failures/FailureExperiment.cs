@@ -7,7 +7,7 @@ namespace SphFluid.Validation
     /// <summary>A small liquid with one failure of the thesis method, and the same liquid cured. Documentation~/failure-modes.md.</summary>
     public sealed class FailureExperiment
     {
-        readonly Func<FailureResult, double> measure;
+        private readonly Func<FailureResult, double> measure;
 
         /// <summary>An experiment.</summary>
         /// <param name="name">Name, for instance "self-term".</param>
@@ -16,7 +16,8 @@ namespace SphFluid.Validation
         /// <param name="cured">The run that does not.</param>
         /// <param name="figure">What is measured, with its unit.</param>
         /// <param name="measure">Measures it.</param>
-        public FailureExperiment(string name, FluidFailure failure, FailureRun failing, FailureRun cured, string figure, Func<FailureResult, double> measure)
+        public FailureExperiment(string name, FluidFailure failure, FailureRun failing, FailureRun cured, string figure,
+            Func<FailureResult, double> measure)
         {
             Name = name;
             Failure = failure;

@@ -6,9 +6,9 @@ namespace SphFluid.Validation
     /// <summary>What became of a <see cref="FailureRun"/>.</summary>
     public sealed class FailureResult
     {
-        readonly Dictionary<FluidFailure, FluidFinding> findings = new Dictionary<FluidFailure, FluidFinding>();
-        readonly List<FluidStatistics> statistics = new List<FluidStatistics>();
-        readonly List<FluidSnapshot> states = new List<FluidSnapshot>();
+        private readonly Dictionary<FluidFailure, FluidFinding> findings = new Dictionary<FluidFailure, FluidFinding>();
+        private readonly List<FluidStatistics> statistics = new List<FluidStatistics>();
+        private readonly List<FluidSnapshot> states = new List<FluidSnapshot>();
 
         internal FailureResult(FailureRun run) => Run = run;
 
@@ -53,8 +53,7 @@ namespace SphFluid.Validation
         {
             foreach (FluidFinding finding in found)
             {
-                if (!findings.ContainsKey(finding.Failure))
-                    findings.Add(finding.Failure, finding);
+                if (!findings.ContainsKey(finding.Failure)) findings.Add(finding.Failure, finding);
             }
         }
 

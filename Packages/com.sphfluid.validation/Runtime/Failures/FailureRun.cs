@@ -28,7 +28,10 @@ namespace SphFluid.Validation
         /// <summary>Searches 8 cells although the cells are R wide: the octant's rule with the wrong size.</summary>
         public bool EightCellsOfRadius;
 
-        /// <summary>The ranges of the cells are not emptied between two sorts. The run must have no steps: the liquid is moved to <see cref="Later"/> and sorted once more.</summary>
+        /// <summary>
+        /// The ranges of the cells are not emptied between two sorts. The run must have no steps: the liquid is moved to
+        /// <see cref="Later"/> and sorted once more.
+        /// </summary>
         public bool RangesKept;
 
         /// <summary>Where the particles are before the second sort; null: there is one sort.</summary>

@@ -5,16 +5,16 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>Runs one side of an experiment on the GPU, with the detectors watching.</summary>
-    sealed class FailureRunner : IDisposable
+    internal sealed class FailureRunner : IDisposable
     {
-        const string Name = "Failure Experiment";
+        private const string Name = "Failure Experiment";
 
-        readonly FailureRun run;
-        readonly ComputeShader audit;
-        readonly FluidSolver solver;
-        readonly FluidStatisticsMeter meter;
-        readonly FluidDetectors detectors;
-        readonly CaseObstacles sheets;
+        private readonly FailureRun run;
+        private readonly ComputeShader audit;
+        private readonly FluidSolver solver;
+        private readonly FluidStatisticsMeter meter;
+        private readonly FluidDetectors detectors;
+        private readonly CaseObstacles sheets;
 
         public FailureRunner(FailureRun run, FluidShaderSet shaders, ComputeShader audit)
         {
@@ -37,8 +37,7 @@ namespace SphFluid.Validation
                 SolverLaboratory.SetUnchecked(solver, wrong);
             }
             result.Note(detectors.Check());
-            if (run.Later != null)
-                SortTwice();
+            if (run.Later != null) SortTwice();
             Look(result);
             for (int sample = 0; sample < run.Samples && run.Steps > 0; sample++)
             {
@@ -62,7 +61,7 @@ namespace SphFluid.Validation
             sheets.Dispose();
         }
 
-        void Look(FailureResult result)
+        private void Look(FailureResult result)
         {
             FluidStatistics now = meter.MeasureNow();
             result.Note(detectors.Update(now, solver.ReadCountersNow()));
@@ -70,7 +69,7 @@ namespace SphFluid.Validation
         }
 
         // The blocks of 6.2 at two places, the second time with or without 6.2.4, Reset Grid Indices.
-        void SortTwice()
+        private void SortTwice()
         {
             GpuWork.Submit(Name, cmd => solver.RecordNeighbourSetup(cmd));
             solver.Particles.SetData(run.Later);

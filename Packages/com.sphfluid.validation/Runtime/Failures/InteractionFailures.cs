@@ -4,7 +4,7 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>What pressure does wrong between particles: suction, wide kernels, two kernels.</summary>
-    static class InteractionFailures
+    internal static class InteractionFailures
     {
         /// <summary>Stretched by 5 % in a periodic box, P/ρc² = −0.05: suction draws the lattice into clumps.</summary>
         public static FailureExperiment TensileClumping()
@@ -18,10 +18,14 @@ namespace SphFluid.Validation
                 "share of particles with a neighbour nearer than dx/2", Clumped);
         }
 
-        /// <summary>A column between walls at κ = 4: next to them particles find half the density and share places until they find it all. Cured: κ = 2.</summary>
+        /// <summary>
+        /// A column between walls at κ = 4: next to them particles find half the density and share places until they find it all. Cured: κ
+        /// = 2.
+        /// </summary>
         public static FailureExperiment Pairing()
         {
-            return new FailureExperiment("pairing", FluidFailure.Pairing, At(4f), At(2f), "share of particles with a neighbour nearer than dx/2", Clumped);
+            return new FailureExperiment("pairing", FluidFailure.Pairing, At(4f), At(2f),
+                "share of particles with a neighbour nearer than dx/2", Clumped);
 
             FailureRun At(float support)
             {
@@ -31,7 +35,9 @@ namespace SphFluid.Validation
             }
         }
 
-        /// <summary>The same without walls: pairs a fifth of a spacing apart in a periodic box at κ = 4, compressed by 2 %. They part.</summary>
+        /// <summary>
+        /// The same without walls: pairs a fifth of a spacing apart in a periodic box at κ = 4, compressed by 2 %. They part.
+        /// </summary>
         public static FailureRun PairsInTheBulk()
         {
             // Two particles of half the mass a place: the same density.
@@ -60,8 +66,8 @@ namespace SphFluid.Validation
                 "v_rms/√k at t = 200 R/√k", r => RmsSpeed(r) / Math.Sqrt(r.Settings.Own<ThesisSettings>().Stiffness));
         }
 
-        static double Clumped(FailureResult result) => result.EndStatistics.Clumped / (double)result.Run.Start.Length;
+        private static double Clumped(FailureResult result) => result.EndStatistics.Clumped / (double)result.Run.Start.Length;
 
-        static double RmsSpeed(FailureResult result) => result.EndStatistics.RmsSpeed(result.Settings.ParticleMass);
+        private static double RmsSpeed(FailureResult result) => result.EndStatistics.RmsSpeed(result.Settings.ParticleMass);
     }
 }

@@ -3,9 +3,9 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>Neighbour searches that are wrong; <see cref="NeighbourAudit"/> compares them with brute force.</summary>
-    static class NeighbourFailures
+    internal static class NeighbourFailures
     {
-        static readonly Vector3Int Counts = new Vector3Int(12, 12, 12);
+        private static readonly Vector3Int Counts = new Vector3Int(12, 12, 12);
 
         /// <summary>The octant's 8 cells in a grid of cells R wide; cured: all 27.</summary>
         public static FailureExperiment AsymmetricPairs()
@@ -14,7 +14,8 @@ namespace SphFluid.Validation
             FailureRun failing = cured.With(cured.Settings);
             failing.EightCellsOfRadius = true;
             return new FailureExperiment("asymmetric-pairs", FluidFailure.AsymmetricPairs, failing, cured,
-                "share of pairs that only one particle finds", r => r.Audit == null ? double.NaN : r.Audit.OneWay.Count / (double)r.Audit.Pairs);
+                "share of pairs that only one particle finds", r => r.Audit == null ? double.NaN
+                    : r.Audit.OneWay.Count / (double)r.Audit.Pairs);
         }
 
         /// <summary>All particles move by a cell and the ranges of the cells that they left stay; cured: Reset Grid Indices runs.</summary>
@@ -29,7 +30,7 @@ namespace SphFluid.Validation
         }
 
         // 1,728 particles about a lattice somewhat wider than at rest, moved along all axes.
-        static FailureRun Block(float shift)
+        private static FailureRun Block(float shift)
         {
             float dx = FailureBlocks.Spacing;
             Vector3 domain = 20f * dx * Vector3.one;

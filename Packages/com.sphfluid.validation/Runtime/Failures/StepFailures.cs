@@ -5,10 +5,10 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>Steps that are too long, and viscosity that is too much or the method's own.</summary>
-    static class StepFailures
+    internal static class StepFailures
     {
         // Compressed a little, so that the clamp does not act and the lattice is that of the linear theory.
-        const float Compression = 0.02f;
+        private const float Compression = 0.02f;
 
         /// <summary>A jittered lattice at dt √k/R; the border is 1.35 to 1.40.</summary>
         public static FailureExperiment TimeStep(double failing = 1.45, double cured = 1.25)
@@ -26,11 +26,14 @@ namespace SphFluid.Validation
             }
         }
 
-        /// <summary>Noise of velocities on a lattice without pressure at ν dt/R²; the border is 0.115 to 0.131, at κ = 2 near 0.128.</summary>
+        /// <summary>
+        /// Noise of velocities on a lattice without pressure at ν dt/R²; the border is 0.115 to 0.131, at κ = 2 near 0.128.
+        /// </summary>
         public static FailureExperiment Viscosity(double failing = 0.14, double cured = 0.06)
         {
             return new FailureExperiment("viscosity", FluidFailure.ViscosityTooStiff, At(failing), At(cured),
-                "growth of v_rms over the last 50 of 100 steps", r => RmsSpeed(r, r.EndStatistics) / RmsSpeed(r, r.Statistics[r.Statistics.Count / 2]));
+                "growth of v_rms over the last 50 of 100 steps",
+                r => RmsSpeed(r, r.EndStatistics) / RmsSpeed(r, r.Statistics[r.Statistics.Count / 2]));
 
             FailureRun At(double ratio)
             {
@@ -40,15 +43,16 @@ namespace SphFluid.Validation
                 float Noise() => 1e-4f * (float)(random.NextDouble() - 0.5);
                 run.Start = FailureBlocks.Moving(run.Start, _ => new Vector3(Noise(), Noise(), Noise()));
                 run.Settings.TimeStep = 0.01f;
-                FailureBlocks.SetKinematic(ref run.Settings, ratio * run.Settings.SupportRadius * run.Settings.SupportRadius / run.Settings.TimeStep);
+                FailureBlocks.SetKinematic(ref run.Settings,
+                    ratio * run.Settings.SupportRadius * run.Settings.SupportRadius / run.Settings.TimeStep);
                 run.Steps = 100;
                 return run;
             }
         }
 
         /// <summary>
-        /// A shear wave in water: its viscosity is the method's α c R, by rule, so it goes with the spacing. Cured: a liquid as thick as the
-        /// method needs, the same at every spacing.
+        /// A shear wave in water: its viscosity is the method's α c R, by rule, so it goes with the spacing. Cured: a liquid as thick as
+        /// the method needs, the same at every spacing.
         /// </summary>
         /// <param name="cells">Spacings to the wave's length of 1.2 m.</param>
         public static FailureExperiment NumericalViscosity(int cells = 12)
@@ -81,9 +85,10 @@ namespace SphFluid.Validation
             return Math.Log(Amplitude(result.States[1], wave) / Amplitude(result.End, wave)) / (wave * wave * time);
         }
 
-        static double Amplitude(FluidSnapshot state, double wave) =>
+        private static double Amplitude(FluidSnapshot state, double wave) =>
             2.0 * Enumerable.Range(0, state.Count).Average(i => state.Velocities[i].x * Math.Sin(wave * state.LocalPositions[i].y));
 
-        static double RmsSpeed(FailureResult result, in FluidStatistics statistics) => statistics.RmsSpeed(result.Settings.ParticleMass);
+        private static double RmsSpeed(FailureResult result, in FluidStatistics statistics) =>
+            statistics.RmsSpeed(result.Settings.ParticleMass);
     }
 }

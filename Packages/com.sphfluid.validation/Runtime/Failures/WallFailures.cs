@@ -4,15 +4,16 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>What goes wrong at walls and sheets.</summary>
-    static class WallFailures
+    internal static class WallFailures
     {
-        const float Step = 0.01f;
+        private const float Step = 0.01f;
 
         /// <summary>
         /// Particles thrown at a fan of four triangles, at faces, edges and vertex, one spacing a step. The swept test cuts the step at the
         /// face; what rounding and gravity add to it puts the particle behind. Cured: 0.3 spacings a step.
         /// </summary>
-        public static FailureExperiment Tunnelling() => new FailureExperiment("tunnelling", FluidFailure.Tunnelling, Drop(1f, 9.81f), Drop(0.3f, 9.81f),
+        public static FailureExperiment Tunnelling() =>
+            new FailureExperiment("tunnelling", FluidFailure.Tunnelling, Drop(1f, 9.81f), Drop(0.3f, 9.81f),
             "share of particles behind the sheet", Behind);
 
         /// <summary>Single particles above the sheet, thrown at it.</summary>
@@ -37,7 +38,8 @@ namespace SphFluid.Validation
         }
 
         /// <summary>Share of particles below the sheet at the end.</summary>
-        public static double Behind(FailureResult result) => result.End.LocalPositions.Count(p => p.y < 0f) / (double)result.Run.Start.Length;
+        public static double Behind(FailureResult result) =>
+            result.End.LocalPositions.Count(p => p.y < 0f) / (double)result.Run.Start.Length;
 
         /// <summary>A column on walls a hundredth as stiff as by rule.</summary>
         public static FailureExperiment Stacking()
@@ -54,9 +56,10 @@ namespace SphFluid.Validation
         }
 
         // A square about the origin, its front up.
-        static Vector3[] Fan(float half)
+        private static Vector3[] Fan(float half)
         {
-            Vector3[] corners = { new Vector3(-half, 0f, -half), new Vector3(-half, 0f, half), new Vector3(half, 0f, half), new Vector3(half, 0f, -half) };
+            Vector3[] corners = { new Vector3(-half, 0f, -half), new Vector3(-half, 0f, half), new Vector3(half, 0f, half),
+                new Vector3(half, 0f, -half) };
             return Enumerable.Range(0, 4).SelectMany(i => new[] { Vector3.zero, corners[i], corners[(i + 1) % 4] }).ToArray();
         }
     }

@@ -6,11 +6,11 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>Closed surfaces in a pool that float, deform, roll or close on the liquid between them.</summary>
-    static class BodyScenes
+    internal static class BodyScenes
     {
-        const float Dx = LeakSceneEntry.Spacing;
-        const float Radius = 8f * Dx; // of balls and wheels
-        const int Frames = 60;
+        private const float Dx = LeakSceneEntry.Spacing;
+        private const float Radius = 8f * Dx; // of balls and wheels
+        private const int Frames = 60;
 
         /// <summary>A box with liquid in it, afloat, that gets a random push of the speed, and a spin, every fifth frame.</summary>
         public static LeakScene Afloat(double speed)
@@ -42,7 +42,9 @@ namespace SphFluid.Validation
             return Filled(scene);
         }
 
-        /// <summary>A box with liquid in it and round it that is wrung to and fro by a turn of 120° between its ends, and shrinks by a tenth.</summary>
+        /// <summary>
+        /// A box with liquid in it and round it that is wrung to and fro by a turn of 120° between its ends, and shrinks by a tenth.
+        /// </summary>
         /// <param name="speed">Largest of its corners [m/s].</param>
         public static LeakScene Wrung(double speed)
         {
@@ -56,7 +58,9 @@ namespace SphFluid.Validation
             scene.Bodies[0].Shape = frame =>
             {
                 float phase = (float)Math.Sin(2.0 * Math.PI * frequency * frame / LeakScene.FrameRate);
-                return Array.ConvertAll(rest, v => (1f - 0.1f * Mathf.Abs(phase)) * (Quaternion.AngleAxis(Mathf.Rad2Deg * angle * phase * v.y / half, Vector3.up) * v));
+                return Array.ConvertAll(rest,
+                    v => (1f - 0.1f * Mathf.Abs(phase)) *
+                        (Quaternion.AngleAxis(Mathf.Rad2Deg * angle * phase * v.y / half, Vector3.up) * v));
             };
             return Filled(scene);
         }
@@ -95,20 +99,23 @@ namespace SphFluid.Validation
             return Filled(scene);
         }
 
-        static void Float(LeakBody body, LeakScene scene, Vector3 place, float ratio, double speed, int seed)
+        private static void Float(LeakBody body, LeakScene scene, Vector3 place, float ratio, double speed, int seed)
         {
             Vector3 size = new Vector3(11f, 8f, 9f) * Dx;
             body.Surface = LeakMeshes.Corners(TriangleMesh.Box(Matrix4x4.Scale(size)));
             body.Mass = ratio * scene.Settings.RestDensity * size.x * size.y * size.z;
-            body.Inertia = body.Mass / 12f * new Vector3(size.y * size.y + size.z * size.z, size.z * size.z + size.x * size.x, size.x * size.x + size.y * size.y);
+            body.Inertia = body.Mass / 12f * new Vector3(size.y * size.y + size.z * size.z, size.z * size.z + size.x * size.x,
+                size.x * size.x + size.y * size.y);
             body.Motion = _ => new LeakPose(place, Quaternion.Euler(10f, 20f * seed, 5f));
             var random = new System.Random(seed);
-            Vector3 Any() => new Vector3((float)random.NextDouble() - 0.5f, (float)random.NextDouble() - 0.5f, (float)random.NextDouble() - 0.5f).normalized;
+            Vector3 Any() =>
+                new Vector3((float)random.NextDouble() - 0.5f, (float)random.NextDouble() - 0.5f,
+                    (float)random.NextDouble() - 0.5f).normalized;
             body.Push = frame => frame % 5 == 2 ? ((float)speed * Any(), (float)(speed / size.x) * Any()) : default;
             scene.MaySqueeze = true; // nothing but liquid keeps it from the domain's faces
         }
 
-        static LeakScene Pool(Vector3Int domain, int layers)
+        private static LeakScene Pool(Vector3Int domain, int layers)
         {
             Vector3 size = (Vector3)domain * Dx;
             return new LeakScene
@@ -120,32 +127,36 @@ namespace SphFluid.Validation
         }
 
         // Without what is on a surface at the start.
-        static LeakScene Filled(LeakScene scene)
+        private static LeakScene Filled(LeakScene scene)
         {
             var meshes = new List<(TriangleMesh mesh, LeakPose pose)>();
-            foreach (LeakBody body in scene.Bodies) meshes.Add((TriangleMesh.FromCorners(body.Shape?.Invoke(0) ?? body.Surface), body.PoseAt(0)));
+            foreach (LeakBody body in scene.Bodies)
+            {
+                meshes.Add((TriangleMesh.FromCorners(body.Shape?.Invoke(0) ?? body.Surface), body.PoseAt(0)));
+            }
             scene.Particles = CaseLattice.Particles(scene.Particles.Select(p => p.Position)
                 .Where(p => meshes.All(m => !m.mesh.IsNear(m.pose.ToSurface(p), 0.45f * Dx))).ToList());
             return scene;
         }
 
-        static Vector3 Wave(Vector3 v, double phase)
+        private static Vector3 Wave(Vector3 v, double phase)
         {
             float around = Mathf.Min(1f, 2f * new Vector2(v.x, v.z).magnitude / Radius);
             return (1f + 0.2f * (float)Math.Sin(phase + 4.0 * Math.Atan2(v.z, v.x) + 5.0 * v.y / Radius) * around) * v;
         }
 
         // 432 triangles.
-        static Vector3[] Ball() => Faces(6, 1f).Select(v => Radius * v.normalized).ToArray();
+        private static Vector3[] Ball() => Faces(6, 1f).Select(v => Radius * v.normalized).ToArray();
 
         // A cube of a grid of squares on each face, outward.
-        static Vector3[] Faces(int squares, float half)
+        private static Vector3[] Faces(int squares, float half)
         {
             float[] lines = Enumerable.Range(0, squares + 1).Select(i => half * (2f * i / squares - 1f)).ToArray();
             Vector3[] top = LeakMeshes.Sheet(lines, lines, half);
             var turns = new[]
             {
-                Quaternion.identity, Quaternion.AngleAxis(180f, Vector3.right), Quaternion.AngleAxis(90f, Vector3.right), Quaternion.AngleAxis(-90f, Vector3.right),
+                Quaternion.identity, Quaternion.AngleAxis(180f, Vector3.right), Quaternion.AngleAxis(90f, Vector3.right),
+                Quaternion.AngleAxis(-90f, Vector3.right),
                 Quaternion.AngleAxis(90f, Vector3.forward), Quaternion.AngleAxis(-90f, Vector3.forward),
             };
             // To the lattice of corners, so that faces share them.

@@ -7,18 +7,18 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>Vessels that hold liquid, or let it out at one end only.</summary>
-    static class CupScenes
+    internal static class CupScenes
     {
-        const float Dx = LeakSceneEntry.Spacing;
-        const float Radius = 6f * Dx, Height = 12f * Dx, Level = 8f * Dx;
-        const int Sides = 12;
+        private const float Dx = LeakSceneEntry.Spacing;
+        private const float Radius = 6f * Dx, Height = 12f * Dx, Level = 8f * Dx;
+        private const int Sides = 12;
 
         // A cup that stands so has the origin in its middle.
-        static readonly Vector3 Middle = 0.5f * Height * Vector3.down;
+        private static readonly Vector3 Middle = 0.5f * Height * Vector3.down;
 
         /// <summary>
-        /// A cup that goes to and fro at a constant speed, turning round at once every second frame, and rocks with it. The constants are those
-        /// of its liquid at rest: the solver does not know of the shaking.
+        /// A cup that goes to and fro at a constant speed, turning round at once every second frame, and rocks with it. The constants are
+        /// those of its liquid at rest: the solver does not know of the shaking.
         /// </summary>
         /// <param name="speed">Speed of the cup [m/s].</param>
         /// <param name="lid">Whether it is closed, so that all liquid feels all of the shaking.</param>
@@ -87,27 +87,33 @@ namespace SphFluid.Validation
                 Particles = CaseLattice.Particles(places),
             };
             if (turns)
-                scene.Motion = frame => new LeakPose(Vector3.zero, Quaternion.AngleAxis(180f * Math.Min(frame, turnFrames) / turnFrames, Vector3.forward));
+            {
+                scene.Motion = frame =>
+                    new LeakPose(Vector3.zero, Quaternion.AngleAxis(180f * Math.Min(frame, turnFrames) / turnFrames, Vector3.forward));
+            }
             return scene;
         }
 
         // A cup with space round it for a stroke; the liquid is put in by Place.
-        static LeakScene Filled(Vector3[] cup, int frames, Vector3 stroke)
+        private static LeakScene Filled(Vector3[] cup, int frames, Vector3 stroke)
         {
             Vector3 space = new Vector3(2f * Radius, Height, 2f * Radius) + 8f * Dx * Vector3.one;
             return new LeakScene { Settings = LeakSceneEntry.Water(space + stroke, Height), Surface = cup, Frames = frames };
         }
 
-        static void Place(LeakScene scene, LeakPose pose)
+        private static void Place(LeakScene scene, LeakPose pose)
         {
             List<Vector3> places = LeakMeshes.Fill(LeakMeshes.Cup(Radius, Height, Sides, true), Dx, Level);
             scene.Particles = CaseLattice.Particles(places.ConvertAll(pose.ToSimulation));
         }
 
-        static string SampleFile(string name)
+        private static string SampleFile(string name)
         {
-            string file = Path.GetFullPath(Path.Combine(Application.dataPath, "..", "Packages", "com.sphfluid", "Samples~", "DamBreak", name));
-            return File.Exists(file) ? file : throw new FileNotFoundException($"'{file}' is not there. Put the package into the project's folder Packages, with its samples.");
+            string file =
+                Path.GetFullPath(Path.Combine(Application.dataPath, "..", "Packages", "com.sphfluid", "Samples~", "DamBreak", name));
+            return File.Exists(file) ? file
+                : throw new FileNotFoundException(
+                    $"'{file}' is not there. Put the package into the project's folder Packages, with its samples.");
         }
     }
 }

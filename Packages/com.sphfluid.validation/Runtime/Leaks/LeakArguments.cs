@@ -6,7 +6,7 @@ namespace SphFluid.Validation
     /// <summary>What <c>leaks</c> plays and where it writes.</summary>
     public sealed class LeakArguments : MeasuringArguments
     {
-        readonly List<LeakSceneEntry> scenes = new List<LeakSceneEntry>();
+        private readonly List<LeakSceneEntry> scenes = new List<LeakSceneEntry>();
 
         internal LeakArguments() : base("leaks", "Build/leaks")
         {
@@ -18,7 +18,8 @@ namespace SphFluid.Validation
         /// <summary>The scenes.</summary>
         internal IReadOnlyList<LeakSceneEntry> Scenes => scenes;
 
-        internal override string Command => CommandOf(("--scene", scenes.SequenceEqual(LeakSceneEntry.All) ? null : scenes.Select(s => s.Name)));
+        internal override string Command =>
+            CommandOf(("--scene", scenes.SequenceEqual(LeakSceneEntry.All) ? null : scenes.Select(s => s.Name)));
 
         /// <summary>Reads the command line of the process.</summary>
         /// <exception cref="CommandLineException">A flag is unknown, or a value is missing or wrong.</exception>
@@ -26,8 +27,7 @@ namespace SphFluid.Validation
         {
             var result = new LeakArguments();
             result.Read(commandLine);
-            if (result.scenes.Count == 0)
-                result.scenes.AddRange(LeakSceneEntry.All);
+            if (result.scenes.Count == 0) result.scenes.AddRange(LeakSceneEntry.All);
             return result;
         }
     }

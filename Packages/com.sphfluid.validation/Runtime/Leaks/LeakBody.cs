@@ -4,15 +4,19 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>A surface of triangles and how it moves. SI, simulation space.</summary>
-    sealed class LeakBody
+    internal sealed class LeakBody
     {
         /// <summary>The surface in its own space [m], three corners a triangle; Cross(B − A, C − A) outward where it is closed.</summary>
         public Vector3[] Surface;
 
-        /// <summary>Where the surface is at the end of a frame; frame 0 is the start. Null: it rests. Of a body that floats only the start counts.</summary>
+        /// <summary>
+        /// Where the surface is at the end of a frame; frame 0 is the start. Null: it rests. Of a body that floats only the start counts.
+        /// </summary>
         public Func<int, LeakPose> Motion;
 
-        /// <summary>Corners of the same triangles in the surface's own space at the end of a frame [m]; null: those of <see cref="Surface"/>.</summary>
+        /// <summary>
+        /// Corners of the same triangles in the surface's own space at the end of a frame [m]; null: those of <see cref="Surface"/>.
+        /// </summary>
         public Func<int, Vector3[]> Shape;
 
         /// <summary>Whether the surface's scale or shear changes.</summary>
@@ -24,7 +28,9 @@ namespace SphFluid.Validation
         /// <summary>Moments of inertia of a floating body about its own axes [kg m²].</summary>
         public Vector3 Inertia;
 
-        /// <summary>What a floating body is pushed by before a frame: velocity [m/s] and angular velocity [rad/s] that are added; null: nothing.</summary>
+        /// <summary>
+        /// What a floating body is pushed by before a frame: velocity [m/s] and angular velocity [rad/s] that are added; null: nothing.
+        /// </summary>
         public Func<int, (Vector3 velocity, Vector3 spin)> Push;
 
         /// <summary>The surface as a mesh.</summary>

@@ -4,9 +4,9 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>Watches particles and counts those that got through a surface.</summary>
-    abstract class LeakDetector
+    internal abstract class LeakDetector
     {
-        bool[] escaped;
+        private bool[] escaped;
 
         /// <summary>Particles that got through, since the start.</summary>
         public int Escapes { get; private set; }
@@ -15,16 +15,15 @@ namespace SphFluid.Validation
         public bool HasEscaped(int particle) => escaped[particle];
 
         /// <summary>
-        /// The detector for a surface. A closed surface has an inside, and a particle that changes sides escaped, whatever its path. An open one
-        /// has a rim over which particles may go, so each step's path is tested against the triangles. Where the surface stretches, deforms or floats the
-        /// detector shares nothing with the solver's own obstacles.
+        /// The detector for a surface. A closed surface has an inside, and a particle that changes sides escaped, whatever its path. An
+        /// open one has a rim over which particles may go, so each step's path is tested against the triangles. Where the surface
+        /// stretches, deforms or floats the detector shares nothing with the solver's own obstacles.
         /// </summary>
         /// <param name="body">The surface.</param>
         /// <param name="period">Length of the domain along periodic axes [m], zero along others.</param>
         public static LeakDetector Of(LeakBody body, Vector3 period)
         {
-            if (!body.Mesh.IsClosed)
-                return new PathDetector(body.Surface, period);
+            if (!body.Mesh.IsClosed) return new PathDetector(body.Surface, period);
             return body.IsFreeWithinFrames ? (LeakDetector)new WindingDetector(body.Surface) : new InsideDetector(body.Mesh);
         }
 
@@ -39,8 +38,7 @@ namespace SphFluid.Validation
             escaped = escaped ?? new bool[places.Length];
             for (int i = 0; i < places.Length; i++)
             {
-                if (!Passed(i, places[i], first) || escaped[i])
-                    continue;
+                if (!Passed(i, places[i], first) || escaped[i]) continue;
                 escaped[i] = true;
                 Escapes++;
             }
@@ -50,7 +48,8 @@ namespace SphFluid.Validation
         /// <summary>The surface has other corners from the next look on.</summary>
         /// <exception cref="NotSupportedException">The detector sees surfaces that keep their shape only.</exception>
         public virtual void Reshape(Vector3[] corners) =>
-            throw new NotSupportedException("What goes through a surface that deforms is seen by its winding number, which needs a closed surface.");
+            throw new NotSupportedException(
+                "What goes through a surface that deforms is seen by its winding number, which needs a closed surface.");
 
         /// <summary>Whether a particle got through since the last look.</summary>
         protected abstract bool Passed(int particle, Vector3 place, bool first);

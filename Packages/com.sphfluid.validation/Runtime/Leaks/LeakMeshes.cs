@@ -5,8 +5,10 @@ using UnityEngine;
 
 namespace SphFluid.Validation
 {
-    /// <summary>Surfaces of one triangle's thickness, as corners [m], three a triangle; outward by the left-hand rule where they are round.</summary>
-    static class LeakMeshes
+    /// <summary>
+    /// Surfaces of one triangle's thickness, as corners [m], three a triangle; outward by the left-hand rule where they are round.
+    /// </summary>
+    internal static class LeakMeshes
     {
         /// <summary>The walls between two rings about the y axis.</summary>
         /// <param name="low">Radius of the lower ring at a corner [m].</param>
@@ -68,7 +70,7 @@ namespace SphFluid.Validation
                 .Where(p => p.y < below && obstacle.Contains(p) && !obstacle.IsNear(p, 0.45f * spacing)).ToList();
         }
 
-        static Vector3 Ring(Func<int, float> radius, int k, int sides, float height)
+        private static Vector3 Ring(Func<int, float> radius, int k, int sides, float height)
         {
             float angle = 2f * Mathf.PI * (k % sides) / sides, r = radius(k % sides);
             return new Vector3(r * Mathf.Cos(angle), height, r * Mathf.Sin(angle));

@@ -4,9 +4,9 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>Where a surface is: scaled, rotated, scaled again by its parent, then moved. Simulation space.</summary>
-    readonly struct LeakPose
+    internal readonly struct LeakPose
     {
-        readonly Vector3? scale, parentScale;
+        private readonly Vector3? scale, parentScale;
 
         /// <param name="position">Where its origin is [m].</param>
         /// <param name="rotation">Of the object.</param>
@@ -43,13 +43,14 @@ namespace SphFluid.Validation
         /// <exception cref="NotSupportedException">A scale changes: bodies then move otherwise, and only the end is known.</exception>
         public static LeakPose Between(LeakPose a, LeakPose b, float part)
         {
-            if (part == 1f)
-                return b;
+            if (part == 1f) return b;
             if (a.Scale != b.Scale || a.ParentScale != b.ParentScale || b.ParentScale != Vector3.one)
+            {
                 throw new NotSupportedException("The motion of a surface that stretches is known at the ends of frames only.");
+            }
             return new LeakPose(Vector3.Lerp(a.Position, b.Position, part), Quaternion.Lerp(a.Rotation, b.Rotation, part), b.scale);
         }
 
-        static Vector3 Divided(Vector3 v, Vector3 by) => new Vector3(v.x / by.x, v.y / by.y, v.z / by.z);
+        private static Vector3 Divided(Vector3 v, Vector3 by) => new Vector3(v.x / by.x, v.y / by.y, v.z / by.z);
     }
 }

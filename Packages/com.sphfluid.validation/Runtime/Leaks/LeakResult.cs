@@ -5,7 +5,7 @@ using System.Linq;
 namespace SphFluid.Validation
 {
     /// <summary>A line of leaks.csv: what became of a scene.</summary>
-    sealed class LeakResult : MeasuredRow
+    internal sealed class LeakResult : MeasuredRow
     {
         /// <summary>The file.</summary>
         public static readonly TableFormat<LeakResult> Format = new TableFormat<LeakResult>("leaks.csv")
@@ -51,8 +51,8 @@ namespace SphFluid.Validation
         public double MaxSpeed;
 
         /// <summary>
-        /// Largest kinetic and potential energy at the end of a frame over that at the start, heights from the floor of the domain; not a number
-        /// where a surface moves and does work.
+        /// Largest kinetic and potential energy at the end of a frame over that at the start, heights from the floor of the domain; not a
+        /// number where a surface moves and does work.
         /// </summary>
         public double EnergyRatio;
 
@@ -63,21 +63,22 @@ namespace SphFluid.Validation
         public FluidParticle[] End;
 
         /// <summary>
-        /// Largest change of the mean velocity along x of those that started at rest, or of those that flowed, over the scene's speed; not a number
-        /// where the domain is not periodic along x, so that more than friction acts.
+        /// Largest change of the mean velocity along x of those that started at rest, or of those that flowed, over the scene's speed; not
+        /// a number where the domain is not periodic along x, so that more than friction acts.
         /// </summary>
         public double Drag
         {
             get
             {
-                if ((Scene.Settings.Boundaries.Periodic & FluidAxes.X) == 0)
-                    return double.NaN;
+                if ((Scene.Settings.Boundaries.Periodic & FluidAxes.X) == 0) return double.NaN;
                 return Enumerable.Range(0, End.Length).GroupBy(i => Scene.Particles[i].VelT0.x)
                     .Max(alike => Math.Abs(alike.Average(i => (double)End[i].VelT0.x) - alike.Key)) / Scene.Speed;
             }
         }
 
-        /// <summary>Why it failed; empty where it holds. Shortened steps and fallbacks are no failures: their paths are proved free too.</summary>
+        /// <summary>
+        /// Why it failed; empty where it holds. Shortened steps and fallbacks are no failures: their paths are proved free too.
+        /// </summary>
         public string Failure =>
             Escapes > (Scene.MaySqueeze ? Counters.Squeezed : 0) ? "escapes" :
             Counters.NonFinite > 0 ? "not finite" :

@@ -6,23 +6,23 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>Plays a scene frame by frame and shows its detectors every state.</summary>
-    sealed class LeakRun : IDisposable
+    internal sealed class LeakRun : IDisposable
     {
         // Time at the end in which gravity moves all that nothing carries: 0.1 s, a fall of 49 mm.
-        const int RestFrames = 6;
+        private const int RestFrames = 6;
 
         // In particle-steps: what a step has whatever the number of particles, reading a particle, and holding it against a triangle.
-        const double StepOverhead = 1500.0, LookWeight = 1.5, TriangleWeight = 0.015;
+        private const double StepOverhead = 1500.0, LookWeight = 1.5, TriangleWeight = 0.015;
 
         // A surface that moves costs its listing; from this path a frame on, in R, most of it is the search along the path. By ./run leaks
         // on two CPU cores, 2026-11-25: a cup shaken at 1 and at 165 m/s takes 1.9 and 14 s.
-        const double MovingWeight = 3.0, LongPath = 24.0;
+        private const double MovingWeight = 3.0, LongPath = 24.0;
 
-        readonly LeakScene scene;
-        readonly LeakSurfaces surfaces;
-        readonly FluidSolver solver;
-        readonly int stepsPerFrame;
-        bool disposed;
+        private readonly LeakScene scene;
+        private readonly LeakSurfaces surfaces;
+        private readonly FluidSolver solver;
+        private readonly int stepsPerFrame;
+        private bool disposed;
 
         /// <exception cref="ArgumentException">The particles or constants cannot be computed with.</exception>
         /// <exception cref="FluidDeviceException">The device cannot run it.</exception>
@@ -32,8 +32,7 @@ namespace SphFluid.Validation
             stepsPerFrame = StepsPerFrame(scene);
             solver = new FluidSolver(scene.Settings, shaders, scene.Particles);
             surfaces = new LeakSurfaces(scene);
-            if (scene.Solid)
-                surfaces.GiveTo(solver);
+            if (scene.Solid) surfaces.GiveTo(solver);
         }
 
         /// <summary>Expected work of a scene: its steps, and what looking at the particles between them takes.</summary>
@@ -43,7 +42,8 @@ namespace SphFluid.Validation
             int steps = StepsPerFrame(scene), looks = eachStep ? steps : 1;
             double path = scene.Speed / LeakScene.FrameRate / scene.Settings.SupportRadius / LongPath;
             double moving = scene.Moves ? MovingWeight * (1.0 + path * path) : 1.0;
-            double look = (LookWeight + (eachStep ? TriangleWeight * scene.Bodies.Sum(b => b.Surface.Length / 3) : 0.0)) * scene.Particles.Length;
+            double look = (LookWeight + (eachStep ? TriangleWeight * scene.Bodies.Sum(b => b.Surface.Length / 3) : 0.0)) *
+                scene.Particles.Length;
             return scene.Frames * (moving * steps * CostOfStep(scene.Particles.Length) + looks * look);
         }
 
@@ -74,8 +74,7 @@ namespace SphFluid.Validation
                     fastest = Math.Max(fastest, solver.ReadCountersNow().MaxSpeed);
                 }
                 highest = Math.Max(highest, Energy(state));
-                if (frame == scene.Frames - RestFrames)
-                    earlier = state;
+                if (frame == scene.Frames - RestFrames) earlier = state;
                 Share = (double)frame / scene.Frames;
                 yield return null;
             }
@@ -103,28 +102,26 @@ namespace SphFluid.Validation
         /// <inheritdoc/>
         public void Dispose()
         {
-            if (disposed)
-                return;
+            if (disposed) return;
             disposed = true;
             solver.Dispose();
             surfaces.Dispose();
         }
 
-        static int StepsPerFrame(LeakScene scene) => (int)Math.Ceiling(1.0 / LeakScene.FrameRate / scene.Settings.TimeStep);
+        private static int StepsPerFrame(LeakScene scene) => (int)Math.Ceiling(1.0 / LeakScene.FrameRate / scene.Settings.TimeStep);
 
         // Kinetic and potential energy over the mass of a particle, from the floor of the domain, J/kg.
-        double Energy(FluidParticle[] state)
+        private double Energy(FluidParticle[] state)
         {
             double sum = 0.0, gravity = scene.Settings.Gravity.magnitude, floor = -0.5 * scene.Settings.DomainSize.y;
-            foreach (FluidParticle particle in state)
-                sum += 0.5 * particle.VelT0.sqrMagnitude + gravity * (particle.Position.y - floor);
+            foreach (FluidParticle particle in state) sum += 0.5 * particle.VelT0.sqrMagnitude + gravity * (particle.Position.y - floor);
             return sum;
         }
 
-        static Vector3[] Places(FluidParticle[] state) => Array.ConvertAll(state, p => p.Position);
+        private static Vector3[] Places(FluidParticle[] state) => Array.ConvertAll(state, p => p.Position);
 
         // The particles by id, after the detectors have seen them.
-        FluidParticle[] Look()
+        private FluidParticle[] Look()
         {
             GpuWork.Submit("Leak Look", cmd => solver.RecordNeighbourSetup(cmd));
             var particles = new FluidParticle[solver.ParticleCount];

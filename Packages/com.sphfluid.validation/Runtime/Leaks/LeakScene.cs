@@ -6,7 +6,7 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>Surfaces of triangles, liquid at them, and how they move. SI, simulation space.</summary>
-    sealed class LeakScene
+    internal sealed class LeakScene
     {
         /// <summary>Frames a second.</summary>
         public const int FrameRate = 60;
@@ -56,7 +56,9 @@ namespace SphFluid.Validation
         /// <summary>False: the surfaces are not given to the solver, so that liquid goes through. For tests of the detectors.</summary>
         public bool Solid = true;
 
-        /// <summary>Whether surfaces close on liquid that then has no place: as many may get through as a message says were squeezed.</summary>
+        /// <summary>
+        /// Whether surfaces close on liquid that then has no place: as many may get through as a message says were squeezed.
+        /// </summary>
         public bool MaySqueeze;
 
         /// <summary>Whether any surface moves.</summary>

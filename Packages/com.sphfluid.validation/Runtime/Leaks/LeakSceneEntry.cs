@@ -6,17 +6,17 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>A scene by name, with the speeds at which it is played. dx = 2 cm, water by rule.</summary>
-    sealed class LeakSceneEntry
+    internal sealed class LeakSceneEntry
     {
         /// <summary>dx [m].</summary>
         public const float Spacing = 0.02f;
 
         // Speeds at which a cup is shaken, m/s. The last two take it 2.75 and 3 m a frame; bodies are followed for 64 R = 2.88 m.
-        static readonly double[] ladder = { 1, 2, 5, 10, 20, 40, 80, 120, 150, 165, 180 };
+        private static readonly double[] ladder = { 1, 2, 5, 10, 20, 40, 80, 120, 150, 165, 180 };
 
-        readonly Func<double, LeakScene> build;
+        private readonly Func<double, LeakScene> build;
 
-        LeakSceneEntry(string name, Func<double, LeakScene> build, params double[] speeds)
+        private LeakSceneEntry(string name, Func<double, LeakScene> build, params double[] speeds)
         {
             Name = name;
             this.build = build;

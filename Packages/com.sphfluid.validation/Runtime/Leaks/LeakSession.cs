@@ -8,18 +8,19 @@ namespace SphFluid.Validation
     /// <summary>Plays scenes one after the other, each at rising speeds until it fails; the table is written after every run.</summary>
     public sealed class LeakSession : JobSession
     {
-        readonly LeakArguments arguments;
-        readonly FluidShaderSet shaders;
-        readonly ResultTable<LeakResult> table;
-        LeakRun running;
-        double played, costOfRun;
+        private readonly LeakArguments arguments;
+        private readonly FluidShaderSet shaders;
+        private readonly ResultTable<LeakResult> table;
+        private LeakRun running;
+        private double played, costOfRun;
 
         /// <summary>Prepares a session; nothing is played yet.</summary>
         /// <param name="arguments">What to play.</param>
         /// <param name="shaders">The package's shaders.</param>
         /// <param name="progress">Where it says how far it is.</param>
         /// <exception cref="FluidDeviceException">There are no shaders.</exception>
-        /// <exception cref="CommandLineException">The output folder cannot be written, or holds another file of the table's name.</exception>
+        /// <exception cref="CommandLineException">The output folder cannot be written, or holds another file of the table's
+        /// name.</exception>
         public LeakSession(LeakArguments arguments, FluidShaderSet shaders, SessionProgress progress)
             : base(arguments, "scenes", SystemInfo.graphicsDeviceName, progress, new SessionRate(null))
         {
@@ -36,15 +37,16 @@ namespace SphFluid.Validation
 
         private protected override IEnumerator Begin() => Calibrate(shaders, LeakRun.CostOfStep);
 
-        SessionJob Job(LeakSceneEntry entry, double[] costs)
+        private SessionJob Job(LeakSceneEntry entry, double[] costs)
         {
             double all = costs.Sum();
-            return new SessionJob(entry.Name, all, () => false, () => Play(entry, costs), share: () => (played + (running?.Share ?? 0.0) * costOfRun) / all,
+            return new SessionJob(entry.Name, all, () => false, () => Play(entry, costs),
+                share: () => (played + (running?.Share ?? 0.0) * costOfRun) / all,
                 key: ShardedTable.RunKey(LeakResult.Format, entry.Name));
         }
 
         // All speeds count as played: few scenes fail at any.
-        IEnumerator Play(LeakSceneEntry entry, double[] costs)
+        private IEnumerator Play(LeakSceneEntry entry, double[] costs)
         {
             bool failed = false;
             played = 0.0;

@@ -5,14 +5,14 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>A surface of a scene as a mesh collider of the engine or, where the liquid moves it, as a rigid body.</summary>
-    sealed class LeakSurface : IDisposable
+    internal sealed class LeakSurface : IDisposable
     {
-        readonly LeakBody body;
-        readonly FluidObstacles obstacles;
-        readonly int[] cornerOf; // of each vertex of the mesh
-        readonly int floating; // its number
-        readonly GameObject parent, holder;
-        readonly Mesh mesh;
+        private readonly LeakBody body;
+        private readonly FluidObstacles obstacles;
+        private readonly int[] cornerOf; // of each vertex of the mesh
+        private readonly int floating; // its number
+        private readonly GameObject parent, holder;
+        private readonly Mesh mesh;
 
         /// <param name="body">The surface.</param>
         /// <param name="obstacles">Gets it.</param>
@@ -29,7 +29,11 @@ namespace SphFluid.Validation
                 floating = obstacles.AddFloating(triangles, start.Position, start.Rotation, body.Mass, body.Inertia);
                 return;
             }
-            mesh = new Mesh { name = "Leak Surface", hideFlags = HideFlags.HideAndDontSave, indexFormat = UnityEngine.Rendering.IndexFormat.UInt32 };
+            mesh = new Mesh
+            {
+                name = "Leak Surface", hideFlags = HideFlags.HideAndDontSave,
+                indexFormat = UnityEngine.Rendering.IndexFormat.UInt32
+            };
             mesh.vertices = triangles.Vertices;
             mesh.triangles = triangles.Indices;
             parent = new GameObject("Leak Surface Parent") { hideFlags = HideFlags.HideAndDontSave };

@@ -6,14 +6,14 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>The surfaces of a scene, by the same steps to the solver as colliders of a simulation, and who gets through them.</summary>
-    sealed class LeakSurfaces : IDisposable
+    internal sealed class LeakSurfaces : IDisposable
     {
-        readonly LeakScene scene;
-        readonly FluidObstacles obstacles;
-        readonly List<LeakSurface> surfaces = new List<LeakSurface>();
-        readonly List<LeakDetector> detectors = new List<LeakDetector>();
-        LeakPose[] poses, ends;
-        Vector3[][] shapes; // at the end of the frame; null of surfaces that keep theirs
+        private readonly LeakScene scene;
+        private readonly FluidObstacles obstacles;
+        private readonly List<LeakSurface> surfaces = new List<LeakSurface>();
+        private readonly List<LeakDetector> detectors = new List<LeakDetector>();
+        private LeakPose[] poses, ends;
+        private Vector3[][] shapes; // at the end of the frame; null of surfaces that keep theirs
 
         public LeakSurfaces(LeakScene scene)
         {
@@ -84,9 +84,9 @@ namespace SphFluid.Validation
             obstacles.Dispose();
         }
 
-        Vector3[][] ShapesAt(int frame) => scene.Bodies.Select(b => b.Shape?.Invoke(frame)).ToArray();
+        private Vector3[][] ShapesAt(int frame) => scene.Bodies.Select(b => b.Shape?.Invoke(frame)).ToArray();
 
-        void Put()
+        private void Put()
         {
             for (int i = 0; i < surfaces.Count; i++) surfaces[i].MoveTo(ends[i], shapes[i]);
             obstacles.Update(Matrix4x4.identity);

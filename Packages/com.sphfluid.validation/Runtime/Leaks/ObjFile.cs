@@ -7,7 +7,7 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>Triangles of a Wavefront .obj file: lines v and f, everything else is passed over.</summary>
-    static class ObjFile
+    internal static class ObjFile
     {
         /// <summary>The corners, three a triangle; faces of more corners are cut into fans.</summary>
         /// <exception cref="FileNotFoundException">There is no such file.</exception>
@@ -28,7 +28,8 @@ namespace SphFluid.Validation
                     else if (words.Length > 0 && words[0] == "f")
                         AddFan(corners, Array.ConvertAll(words, w => w == "f" ? default : places[Index(w, places.Count)]));
                 }
-                catch (Exception exception) when (exception is FormatException || exception is IndexOutOfRangeException || exception is ArgumentOutOfRangeException)
+                catch (Exception exception) when (exception is FormatException || exception is IndexOutOfRangeException ||
+                    exception is ArgumentOutOfRangeException)
                 {
                     throw new InvalidDataException($"'{file}' has a broken line {number}: '{line}'.", exception);
                 }
@@ -37,19 +38,18 @@ namespace SphFluid.Validation
         }
 
         // The first place is the word f's.
-        static void AddFan(List<Vector3> corners, Vector3[] face)
+        private static void AddFan(List<Vector3> corners, Vector3[] face)
         {
-            for (int k = 2; k + 1 < face.Length; k++)
-                corners.AddRange(new[] { face[1], face[k], face[k + 1] });
+            for (int k = 2; k + 1 < face.Length; k++) corners.AddRange(new[] { face[1], face[k], face[k + 1] });
         }
 
         // Counted from one; negative ones from the end.
-        static int Index(string word, int count)
+        private static int Index(string word, int count)
         {
             int index = int.Parse(word.Split('/')[0], CultureInfo.InvariantCulture);
             return index < 0 ? count + index : index - 1;
         }
 
-        static float Number(string word) => float.Parse(word, CultureInfo.InvariantCulture);
+        private static float Number(string word) => float.Parse(word, CultureInfo.InvariantCulture);
     }
 }

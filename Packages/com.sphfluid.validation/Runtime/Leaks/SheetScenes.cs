@@ -5,19 +5,23 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>Level sheets across the whole domain, under liquid that falls on them or flows over them.</summary>
-    static class SheetScenes
+    internal static class SheetScenes
     {
-        const float Dx = LeakSceneEntry.Spacing;
-        static readonly Vector3 domain = new Vector3(16f, 30f, 16f) * Dx;
+        private const float Dx = LeakSceneEntry.Spacing;
+        private static readonly Vector3 domain = new Vector3(16f, 30f, 16f) * Dx;
 
-        /// <summary>Triangles from 0.05 to 50 dx, and needles of 0.05 by 50 dx, by lines that grow further apart from the middle on.</summary>
+        /// <summary>
+        /// Triangles from 0.05 to 50 dx, and needles of 0.05 by 50 dx, by lines that grow further apart from the middle on.
+        /// </summary>
         public static LeakScene Sizes(double speed)
         {
             List<float> lines = Graded(0.05f * Dx, 50f * Dx, 1.5f);
             return Dropped(speed, LeakMeshes.Sheet(lines, lines, 0f));
         }
 
-        /// <summary>A sheet with copies, turned copies, pieces within it that overlap, cracks of no width, and triangles without area.</summary>
+        /// <summary>
+        /// A sheet with copies, turned copies, pieces within it that overlap, cracks of no width, and triangles without area.
+        /// </summary>
         public static LeakScene Coplanar(double speed)
         {
             const int lines = 9;
@@ -35,7 +39,9 @@ namespace SphFluid.Validation
             return Dropped(speed, corners.ToArray());
         }
 
-        /// <summary>Liquid at rest below a sheet, liquid that flows above it, without friction: neither may drag the other. Periodic along x and z.</summary>
+        /// <summary>
+        /// Liquid at rest below a sheet, liquid that flows above it, without friction: neither may drag the other. Periodic along x and z.
+        /// </summary>
         public static LeakScene TwoSided(double speed)
         {
             Vector3 box = new Vector3(12f, 16f, 8f) * Dx;
@@ -54,21 +60,24 @@ namespace SphFluid.Validation
             };
         }
 
-        static LeakScene Dropped(double speed, Vector3[] surface) => new LeakScene
+        private static LeakScene Dropped(double speed, Vector3[] surface) => new LeakScene
         {
             Settings = LeakSceneEntry.Water(domain, 0.5f * domain.y, speed),
             Surface = surface,
             Frames = 90,
             Rests = true,
-            Particles = CaseLattice.Particles(CaseLattice.Box(new Vector3Int(8, 10, 8), Dx, new Vector3(-4f, 1f, -4f) * Dx), _ => (float)speed * Vector3.down),
+            Particles = CaseLattice.Particles(CaseLattice.Box(new Vector3Int(8, 10, 8), Dx, new Vector3(-4f, 1f, -4f) * Dx),
+                _ => (float)speed * Vector3.down),
         };
 
         // Lines from the middle in both directions, each interval so many times the last, up to the largest.
-        static List<float> Graded(float smallest, float largest, float growth)
+        private static List<float> Graded(float smallest, float largest, float growth)
         {
             var right = new List<float> { 0.5f * smallest };
             for (float step = smallest * growth; step < largest * growth; step *= growth)
+            {
                 right.Add(right[right.Count - 1] + Mathf.Min(step, largest));
+            }
             return right.Select(p => -p).Reverse().Concat(right).ToList();
         }
     }

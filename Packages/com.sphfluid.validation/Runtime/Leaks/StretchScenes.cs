@@ -6,20 +6,22 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>Closed surfaces whose scale or shear changes, with liquid inside or round them.</summary>
-    static class StretchScenes
+    internal static class StretchScenes
     {
-        const float Dx = LeakSceneEntry.Spacing;
-        const float Half = 12f * Dx; // of the box that liquid is in
-        const int Frames = 60;
+        private const float Dx = LeakSceneEntry.Spacing;
+        private const float Half = 12f * Dx; // of the box that liquid is in
+        private const int Frames = 60;
 
         /// <summary>Frequencies that surfaces swing at [Hz].</summary>
-        static readonly double[] frequencies = { 0.5, 1, 2, 5 };
+        private static readonly double[] frequencies = { 0.5, 1, 2, 5 };
 
         /// <summary>Largest speeds of the walls of a box that swings [m/s], one for each frequency.</summary>
         /// <param name="amplitude">Of the scale.</param>
         public static double[] Speeds(double amplitude) => frequencies.Select(f => 2.0 * Math.PI * f * amplitude * Half).ToArray();
 
-        /// <summary>A box whose scale swings about 1, a pool on its bottom. What it holds is less than it has place for at its smallest.</summary>
+        /// <summary>
+        /// A box whose scale swings about 1, a pool on its bottom. What it holds is less than it has place for at its smallest.
+        /// </summary>
         public static LeakScene Pulse(double amplitude, double speed)
         {
             double frequency = speed / (2.0 * Math.PI * amplitude * Half);
@@ -53,7 +55,8 @@ namespace SphFluid.Validation
             double rate = speed / (1.5 * Math.Sqrt(3.0) * Half) * 180.0 / Math.PI; // degrees a second
             LeakScene scene = Box(1.5f * 1.75f, 0.8f);
             scene.Motion = frame =>
-                new LeakPose(Vector3.zero, Quaternion.AngleAxis((float)(rate * frame / LeakScene.FrameRate), new Vector3(0.3f, 1f, 0.2f)), Vector3.one, parent);
+                new LeakPose(Vector3.zero, Quaternion.AngleAxis((float)(rate * frame / LeakScene.FrameRate), new Vector3(0.3f, 1f, 0.2f)),
+                    Vector3.one, parent);
             return scene;
         }
 
@@ -95,12 +98,14 @@ namespace SphFluid.Validation
             };
             var obstacle = new WindingNumber(scene.Surface);
             LeakPose start = scene.PoseAt(0);
-            scene.Particles = CaseLattice.Particles(CaseLattice.Box(new Vector3Int(23, 13, 23), Dx, -0.5f * domain * Vector3.one + 0.5f * Dx * new Vector3(1f, 0f, 1f))
+            scene.Particles =
+                CaseLattice.Particles(CaseLattice.Box(new Vector3Int(23, 13, 23), Dx,
+                    -0.5f * domain * Vector3.one + 0.5f * Dx * new Vector3(1f, 0f, 1f))
                 .Where(p => obstacle.DistanceTo(start.ToSurface(p)) > Dx && !obstacle.Contains(start.ToSurface(p))).ToList());
             return scene;
         }
 
-        static LeakScene Box(float largest, float smallest)
+        private static LeakScene Box(float largest, float smallest)
         {
             return new LeakScene
             {
@@ -113,12 +118,13 @@ namespace SphFluid.Validation
         }
 
         // A block in the middle of the box, a sixth of the volume of the box at its smallest.
-        static FluidParticle[] Block(float smallest)
+        private static FluidParticle[] Block(float smallest)
         {
             int count = Mathf.FloorToInt(1.1f * smallest * Half / Dx);
-            return CaseLattice.Particles(CaseLattice.Box(new Vector3Int(count, count, count), Dx, -0.5f * count * Dx * Vector3.one).ToList());
+            return CaseLattice.Particles(CaseLattice.Box(new Vector3Int(count, count, count), Dx, -0.5f * count * Dx * Vector3.one)
+                .ToList());
         }
 
-        static Vector3[] Cube(float half) => LeakMeshes.Corners(TriangleMesh.Box(Matrix4x4.Scale(2f * half * Vector3.one)));
+        private static Vector3[] Cube(float half) => LeakMeshes.Corners(TriangleMesh.Box(Matrix4x4.Scale(2f * half * Vector3.one)));
     }
 }

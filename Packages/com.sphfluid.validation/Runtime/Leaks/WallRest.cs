@@ -6,28 +6,33 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>How liquid that has come to rest lies at a surface.</summary>
-    readonly struct WallRest
+    internal readonly struct WallRest
     {
         // In dx. Contact lets particles rest at 0.1; the walls' pressure keeps a layer at about 0.5.
-        const float LayerReach = 1f, PressedReach = 0.15f, SupportReach = 1.5f, HeldWay = 0.1f;
+        private const float LayerReach = 1f, PressedReach = 0.15f, SupportReach = 1.5f, HeldWay = 0.1f;
 
-        // Cosines of the angle to straight down within which something carries a particle: others of the liquid, 72 degrees, a wall, 37 degrees.
-        const float LiquidCosine = 0.3f, WallCosine = 0.8f;
+        // Cosines of the angle to straight down within which something carries a particle: others of the liquid, 72 degrees, a wall, 37
+        // degrees.
+        private const float LiquidCosine = 0.3f, WallCosine = 0.8f;
 
-        WallRest(double firstLayer, double pressed, double held)
+        private WallRest(double firstLayer, double pressed, double held)
         {
             FirstLayer = firstLayer;
             Pressed = pressed;
             Held = held;
         }
 
-        /// <summary>Mean distance to the surface of the particles nearer than dx to it, over dx; not a number where there are none.</summary>
+        /// <summary>
+        /// Mean distance to the surface of the particles nearer than dx to it, over dx; not a number where there are none.
+        /// </summary>
         public double FirstLayer { get; }
 
         /// <summary>Share of those nearer than 0.15 dx: stacked on the surface.</summary>
         public double Pressed { get; }
 
-        /// <summary>Share of all particles that gravity does not move although nothing is beneath them: stuck to the surface, or hovering.</summary>
+        /// <summary>
+        /// Share of all particles that gravity does not move although nothing is beneath them: stuck to the surface, or hovering.
+        /// </summary>
         public double Held { get; }
 
         /// <summary>Measures the end of a scene.</summary>
@@ -46,8 +51,7 @@ namespace SphFluid.Validation
             {
                 List<Vector3> toWalls = ToTriangles(scene.Surface, places[i]);
                 float nearest = toWalls.Min(w => w.magnitude) / dx;
-                if (nearest < LayerReach)
-                    layer.Add(nearest);
+                if (nearest < LayerReach) layer.Add(nearest);
                 bool moved = (end[i] - earlier[i]).magnitude > HeldWay * dx;
                 float floor = 0.5f * scene.Settings.DomainSize.y + end[i].y;
                 bool carried = floor < SupportReach * dx || toWalls.Any(w => Carries(w, down, WallCosine, dx)) ||
@@ -58,26 +62,28 @@ namespace SphFluid.Validation
             return new WallRest(layer.Count == 0 ? double.NaN : layer.Average(), pressed, held / (double)places.Length);
         }
 
-        static bool Carries(Vector3 separation, Vector3 down, float cosine, float dx)
+        private static bool Carries(Vector3 separation, Vector3 down, float cosine, float dx)
         {
             float length = separation.magnitude;
             return length < SupportReach * dx && Vector3.Dot(separation, down) >= cosine * length;
         }
 
         // The separations to the nearest point of each triangle that has an area: the others are edges of such.
-        static List<Vector3> ToTriangles(Vector3[] corners, Vector3 place)
+        private static List<Vector3> ToTriangles(Vector3[] corners, Vector3 place)
         {
             var separations = new List<Vector3>();
             for (int t = 0; t < corners.Length; t += 3)
             {
                 if (HasArea(corners[t], corners[t + 1], corners[t + 2]))
+                {
                     separations.Add(CpuTriangle.Separation(place, corners[t], corners[t + 1], corners[t + 2]));
+                }
             }
             return separations;
         }
 
         // Its height over its longest edge is 1e-5 of that edge or more.
-        static bool HasArea(Vector3 a, Vector3 b, Vector3 c)
+        private static bool HasArea(Vector3 a, Vector3 b, Vector3 c)
         {
             float longest = Mathf.Max((b - a).sqrMagnitude, Mathf.Max((c - a).sqrMagnitude, (c - b).sqrMagnitude));
             return Vector3.Cross(b - a, c - a).magnitude >= 1e-5f * longest && longest > 0f;

@@ -5,13 +5,13 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>
-    /// For closed surfaces that stretch, deform or float: a particle whose winding number, rounded, is another than at the start has escaped. A place
-    /// that is not finite has.
+    /// For closed surfaces that stretch, deform or float: a particle whose winding number, rounded, is another than at the start has
+    /// escaped. A place that is not finite has.
     /// </summary>
-    sealed class WindingDetector : LeakDetector
+    internal sealed class WindingDetector : LeakDetector
     {
-        WindingNumber winding;
-        readonly List<double> start = new List<double>();
+        private WindingNumber winding;
+        private readonly List<double> start = new List<double>();
 
         public WindingDetector(Vector3[] corners) => winding = new WindingNumber(corners);
 
@@ -25,8 +25,7 @@ namespace SphFluid.Validation
         protected override bool Passed(int particle, Vector3 place, bool first)
         {
             double now = Math.Round(winding.At(place));
-            if (first)
-                start.Add(now);
+            if (first) start.Add(now);
             return now != start[particle]; // NaN too
         }
     }

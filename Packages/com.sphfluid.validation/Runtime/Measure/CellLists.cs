@@ -4,21 +4,19 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>Particles by cells of one edge length, in a hash table; for measurements on the CPU.</summary>
-    sealed class CellLists
+    internal sealed class CellLists
     {
-        readonly Dictionary<Vector3Int, List<int>> cells = new Dictionary<Vector3Int, List<int>>();
-        readonly float edge;
+        private readonly Dictionary<Vector3Int, List<int>> cells = new Dictionary<Vector3Int, List<int>>();
+        private readonly float edge;
 
         public CellLists(Vector3[] positions, float edge)
         {
             this.edge = edge;
             for (int i = 0; i < positions.Length; i++)
             {
-                if (float.IsNaN(positions[i].sqrMagnitude) || float.IsInfinity(positions[i].sqrMagnitude))
-                    continue;
+                if (float.IsNaN(positions[i].sqrMagnitude) || float.IsInfinity(positions[i].sqrMagnitude)) continue;
                 Vector3Int cell = Cell(positions[i]);
-                if (!cells.TryGetValue(cell, out List<int> list))
-                    cells.Add(cell, list = new List<int>());
+                if (!cells.TryGetValue(cell, out List<int> list)) cells.Add(cell, list = new List<int>());
                 list.Add(i);
             }
         }
@@ -27,7 +25,9 @@ namespace SphFluid.Validation
         {
             int count = 0;
             foreach (int other in Around(positions[particle]))
+            {
                 count += other != particle && (positions[other] - positions[particle]).sqrMagnitude < radius * radius ? 1 : 0;
+            }
             return count;
         }
 
@@ -39,13 +39,11 @@ namespace SphFluid.Validation
                 for (int y = -1; y <= 1; y++)
                     for (int x = -1; x <= 1; x++)
                     {
-                        if (!cells.TryGetValue(centre + new Vector3Int(x, y, z), out List<int> list))
-                            continue;
-                        foreach (int particle in list)
-                            yield return particle;
+                        if (!cells.TryGetValue(centre + new Vector3Int(x, y, z), out List<int> list)) continue;
+                        foreach (int particle in list) yield return particle;
                     }
         }
 
-        Vector3Int Cell(Vector3 position) => Vector3Int.FloorToInt(position / edge);
+        private Vector3Int Cell(Vector3 position) => Vector3Int.FloorToInt(position / edge);
     }
 }

@@ -5,7 +5,7 @@ namespace SphFluid.Validation
     /// <summary>How many particles are inside closed colliders.</summary>
     public readonly struct ColliderPenetration
     {
-        ColliderPenetration(int inside, int deep)
+        private ColliderPenetration(int inside, int deep)
         {
             Inside = inside;
             Deep = deep;
@@ -26,11 +26,9 @@ namespace SphFluid.Validation
             {
                 foreach (FluidObstacle obstacle in simulation.Obstacles)
                 {
-                    if (!obstacle.Mesh.Contains(position))
-                        continue;
+                    if (!obstacle.Mesh.Contains(position)) continue;
                     inside++;
-                    if (!obstacle.Mesh.IsNear(position, spacing))
-                        deep++;
+                    if (!obstacle.Mesh.IsNear(position, spacing)) deep++;
                     break;
                 }
             }

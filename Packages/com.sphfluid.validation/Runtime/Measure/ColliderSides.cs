@@ -10,10 +10,10 @@ namespace SphFluid.Validation
     /// </summary>
     public sealed class ColliderSides
     {
-        readonly FluidSolver solver;
-        readonly Dictionary<Component, Dictionary<uint, int>> start = new Dictionary<Component, Dictionary<uint, int>>();
+        private readonly FluidSolver solver;
+        private readonly Dictionary<Component, Dictionary<uint, int>> start = new Dictionary<Component, Dictionary<uint, int>>();
 
-        ColliderSides(FluidSolver solver) => this.solver = solver;
+        private ColliderSides(FluidSolver solver) => this.solver = solver;
 
         /// <summary>The sides now.</summary>
         /// <param name="simulation">A running simulation.</param>
@@ -23,8 +23,7 @@ namespace SphFluid.Validation
             var sides = new ColliderSides(simulation.Solver);
             foreach (FluidObstacle obstacle in simulation.Obstacles)
             {
-                if (obstacle.Source != null && obstacle.Mesh.IsClosed)
-                    sides.start[obstacle.Source] = SidesOf(obstacle, snapshot);
+                if (obstacle.Source != null && obstacle.Mesh.IsClosed) sides.start[obstacle.Source] = SidesOf(obstacle, snapshot);
             }
             return sides;
         }
@@ -40,22 +39,19 @@ namespace SphFluid.Validation
             var changed = new HashSet<uint>();
             foreach (FluidObstacle obstacle in simulation.Obstacles)
             {
-                if (obstacle.Source == null || !start.TryGetValue(obstacle.Source, out Dictionary<uint, int> before))
-                    continue;
+                if (obstacle.Source == null || !start.TryGetValue(obstacle.Source, out Dictionary<uint, int> before)) continue;
                 foreach (KeyValuePair<uint, int> now in SidesOf(obstacle, snapshot))
                 {
-                    if (before.TryGetValue(now.Key, out int side) && side != now.Value)
-                        changed.Add(now.Key);
+                    if (before.TryGetValue(now.Key, out int side) && side != now.Value) changed.Add(now.Key);
                 }
             }
             return changed.Count;
         }
 
-        static Dictionary<uint, int> SidesOf(FluidObstacle obstacle, FluidSnapshot snapshot)
+        private static Dictionary<uint, int> SidesOf(FluidObstacle obstacle, FluidSnapshot snapshot)
         {
             var sides = new Dictionary<uint, int>(snapshot.Count);
-            for (int i = 0; i < snapshot.Count; i++)
-                sides[snapshot.Ids[i]] = obstacle.Mesh.Winding(snapshot.LocalPositions[i]);
+            for (int i = 0; i < snapshot.Count; i++) sides[snapshot.Ids[i]] = obstacle.Mesh.Winding(snapshot.LocalPositions[i]);
             return sides;
         }
     }

@@ -6,12 +6,12 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>
-    /// A simulation's particles at one moment, without those that left the domain, read back from the GPU and ordered by id: SI units. Reading
-    /// waits for the GPU; it is for tools and tests.
+    /// A simulation's particles at one moment, without those that left the domain, read back from the GPU and ordered by id: SI units.
+    /// Reading waits for the GPU; it is for tools and tests.
     /// </summary>
     public sealed class FluidSnapshot
     {
-        FluidSnapshot(int count)
+        private FluidSnapshot(int count)
         {
             Ids = new uint[count];
             LocalPositions = new Vector3[count];
@@ -53,14 +53,16 @@ namespace SphFluid.Validation
         {
             FluidSolver solver = simulation.Solver;
             if (solver == null)
+            {
                 throw new InvalidOperationException($"'{simulation.name}' is not running, so it has no particles to read. Start it first.");
+            }
             return Read(solver, simulation.LocalToWorld);
         }
 
         /// <summary>Reads the particles of a solver; world space is the simulation's own.</summary>
         public static FluidSnapshot Read(FluidSolver solver) => Read(solver, Matrix4x4.identity);
 
-        static FluidSnapshot Read(FluidSolver solver, Matrix4x4 localToWorld)
+        private static FluidSnapshot Read(FluidSolver solver, Matrix4x4 localToWorld)
         {
             GpuWork.Submit("Fluid Snapshot", cmd => solver.RecordNeighbourSetup(cmd));
             var particles = new FluidParticle[solver.ParticleCount];
@@ -93,15 +95,14 @@ namespace SphFluid.Validation
 
         // Positions are half a step ahead of VelT0 and a whole one ahead of VelT1: what the last force did between the two is done once
         // more. From v(t-dt) = 1 and v(t-dt/2) = 1.5, a = 1/dt: v(t) = 2. A component that a face of the domain stopped is zero.
-        static Vector3 VelocityOf(in FluidParticle particle)
+        private static Vector3 VelocityOf(in FluidParticle particle)
         {
             Vector3 velocity = particle.VelT0;
-            for (int axis = 0; axis < 3; axis++)
-                velocity[axis] = velocity[axis] == 0f ? 0f : 2f * velocity[axis] - particle.VelT1[axis];
+            for (int axis = 0; axis < 3; axis++) velocity[axis] = velocity[axis] == 0f ? 0f : 2f * velocity[axis] - particle.VelT1[axis];
             return velocity;
         }
 
-        static string HashOf(FluidParticle[] particles, int[] order)
+        private static string HashOf(FluidParticle[] particles, int[] order)
         {
             var bytes = new byte[order.Length * 40];
             int at = 0;
@@ -117,17 +118,16 @@ namespace SphFluid.Validation
                 return BitConverter.ToString(sha.ComputeHash(bytes)).Replace("-", "").ToLowerInvariant();
         }
 
-        static void Put(byte[] bytes, ref int at, Vector3 value)
+        private static void Put(byte[] bytes, ref int at, Vector3 value)
         {
             Put(bytes, ref at, unchecked((uint)BitConverter.SingleToInt32Bits(value.x)));
             Put(bytes, ref at, unchecked((uint)BitConverter.SingleToInt32Bits(value.y)));
             Put(bytes, ref at, unchecked((uint)BitConverter.SingleToInt32Bits(value.z)));
         }
 
-        static void Put(byte[] bytes, ref int at, uint value)
+        private static void Put(byte[] bytes, ref int at, uint value)
         {
-            for (int shift = 0; shift < 32; shift += 8)
-                bytes[at++] = (byte)(value >> shift);
+            for (int shift = 0; shift < 32; shift += 8) bytes[at++] = (byte)(value >> shift);
         }
     }
 }

@@ -5,10 +5,10 @@ using UnityEngine.Rendering;
 namespace SphFluid.Validation
 {
     /// <summary>Commands that are recorded and submitted at once.</summary>
-    static class GpuWork
+    internal static class GpuWork
     {
         // One submission: bounded so that no driver takes it for a hang.
-        const int StepsPerSubmission = 50;
+        private const int StepsPerSubmission = 50;
 
         /// <summary>Submits commands.</summary>
         /// <param name="name">Name in frame debuggers.</param>

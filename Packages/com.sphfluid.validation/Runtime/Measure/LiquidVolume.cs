@@ -11,7 +11,7 @@ namespace SphFluid.Validation
     /// </summary>
     public readonly struct LiquidVolume
     {
-        LiquidVolume(double measured, double expected)
+        private LiquidVolume(double measured, double expected)
         {
             Measured = measured;
             Expected = expected;
@@ -35,11 +35,13 @@ namespace SphFluid.Validation
             double measured = 0;
             for (int z = 0; z < nz; z++)
                 for (int x = 0; x < nx; x++)
-                    measured += area * FreeHeight(simulation.Obstacles, settings, ColumnCentre(settings.DomainSize, x, z, nx, nz), tops[z * nx + x]);
+                {
+                    measured += area * FreeHeight(simulation.Obstacles, settings, ColumnCentre(settings.DomainSize, x, z, nx, nz),
+                        tops[z * nx + x]);
+                }
 
             double expected = 0;
-            foreach (float density in snapshot.Densities)
-                expected += settings.ParticleMass / Math.Max(settings.RestDensity, density);
+            foreach (float density in snapshot.Densities) expected += settings.ParticleMass / Math.Max(settings.RestDensity, density);
             return new LiquidVolume(measured, expected);
         }
 
@@ -52,10 +54,10 @@ namespace SphFluid.Validation
         public static bool IsAtRest(double rmsSpeed, in FluidSolverSettings settings) =>
             rmsSpeed * rmsSpeed <= 2.0 * settings.Gravity.magnitude * 0.1 * settings.Spacing;
 
-        static int Columns(float edge, float spacing) => Math.Max(1, Mathf.RoundToInt(edge / (2f * spacing)));
+        private static int Columns(float edge, float spacing) => Math.Max(1, Mathf.RoundToInt(edge / (2f * spacing)));
 
         // Height of the highest particle of each column above the floor, plus half a spacing; zero for an empty column.
-        static float[] Tops(FluidSnapshot snapshot, in FluidSolverSettings settings, int nx, int nz)
+        private static float[] Tops(FluidSnapshot snapshot, in FluidSolverSettings settings, int nx, int nz)
         {
             var tops = new float[nx * nz];
             Vector3 size = settings.DomainSize;
@@ -68,19 +70,18 @@ namespace SphFluid.Validation
             return tops;
         }
 
-        static Vector2 ColumnCentre(Vector3 size, int x, int z, int nx, int nz) =>
+        private static Vector2 ColumnCentre(Vector3 size, int x, int z, int nx, int nz) =>
             new Vector2(((x + 0.5f) / nx - 0.5f) * size.x, ((z + 0.5f) / nz - 0.5f) * size.z);
 
         // The part of a column below its top that no collider fills, by samples half a spacing apart.
-        static double FreeHeight(IReadOnlyList<FluidObstacle> obstacles, in FluidSolverSettings settings, Vector2 column, float top)
+        private static double FreeHeight(IReadOnlyList<FluidObstacle> obstacles, in FluidSolverSettings settings, Vector2 column, float top)
         {
             int samples = Mathf.CeilToInt(top / (0.5f * settings.Spacing));
             int free = 0;
             for (int i = 0; i < samples; i++)
             {
                 var point = new Vector3(column.x, (i + 0.5f) / samples * top - 0.5f * settings.DomainSize.y, column.y);
-                if (!obstacles.Any(o => o.Mesh.Contains(point)))
-                    free++;
+                if (!obstacles.Any(o => o.Mesh.Contains(point))) free++;
             }
             return samples == 0 ? 0.0 : (double)top * free / samples;
         }

@@ -12,19 +12,19 @@ namespace SphFluid.Validation
     public sealed class NeighbourAudit
     {
         // A pair at distance R is one or not by rounding; its weight is below 1e-9 of the nearest's.
-        const double Border = 1e-5;
+        private const double Border = 1e-5;
 
-        static readonly int FoundId = Shader.PropertyToID("_Found");
-        static readonly int TwiceId = Shader.PropertyToID("_Twice");
-        static readonly int RowWordsId = Shader.PropertyToID("_RowWords");
-        static readonly int ParticleCountId = Shader.PropertyToID("_ParticleCount");
+        private static readonly int FoundId = Shader.PropertyToID("_Found");
+        private static readonly int TwiceId = Shader.PropertyToID("_Twice");
+        private static readonly int RowWordsId = Shader.PropertyToID("_RowWords");
+        private static readonly int ParticleCountId = Shader.PropertyToID("_ParticleCount");
 
-        readonly List<NeighbourAuditError> missing = new List<NeighbourAuditError>();
-        readonly List<NeighbourAuditError> strangers = new List<NeighbourAuditError>();
-        readonly List<NeighbourAuditError> oneWay = new List<NeighbourAuditError>();
-        readonly List<NeighbourAuditError> doubled = new List<NeighbourAuditError>();
+        private readonly List<NeighbourAuditError> missing = new List<NeighbourAuditError>();
+        private readonly List<NeighbourAuditError> strangers = new List<NeighbourAuditError>();
+        private readonly List<NeighbourAuditError> oneWay = new List<NeighbourAuditError>();
+        private readonly List<NeighbourAuditError> doubled = new List<NeighbourAuditError>();
 
-        NeighbourAudit()
+        private NeighbourAudit()
         {
         }
 
@@ -58,7 +58,8 @@ namespace SphFluid.Validation
                 if (WrongCells > 0 || doubled.Count > 0)
                 {
                     findings.Add(new FluidFinding(FluidFailure.StaleGrid, Math.Max(WrongCells, doubled.Count), 0.0,
-                        $"{Math.Max(0, WrongCells)} cells do not hold the particles that are in them, and {doubled.Count} of {Pairs} pairs are met more than once.",
+                        $"{Math.Max(0, WrongCells)} cells do not hold the particles that are in them, and {doubled.Count} of {Pairs} " +
+                        "pairs are met more than once.",
                         "Empty the ranges of all cells before each sort, and sort at the present positions."));
                 }
                 else if (oneWay.Count > 0)
@@ -77,17 +78,24 @@ namespace SphFluid.Validation
         /// <param name="period">Length of the box along periodic axes [m]; zero along the others.</param>
         /// <param name="found">For each particle the indices that its search finds; itself may be among them.</param>
         /// <exception cref="ArgumentException">There is not a list for each position, or it names a particle that is not there.</exception>
-        public static NeighbourAudit Of(IReadOnlyList<Vector3> positions, float radius, Vector3 period, IReadOnlyList<IReadOnlyList<int>> found)
+        public static NeighbourAudit Of(IReadOnlyList<Vector3> positions, float radius, Vector3 period,
+            IReadOnlyList<IReadOnlyList<int>> found)
         {
             if (found.Count != positions.Count)
-                throw new ArgumentException($"{found.Count} lists are given for {positions.Count} particles; each needs one.", nameof(found));
+            {
+                throw new ArgumentException($"{found.Count} lists are given for {positions.Count} particles; each needs one.",
+                    nameof(found));
+            }
             var times = new byte[positions.Count, positions.Count];
             for (int i = 0; i < positions.Count; i++)
             {
                 foreach (int j in found[i])
                 {
                     if (j < 0 || j >= positions.Count)
-                        throw new ArgumentException($"The list of particle {i} names particle {j}; there are {positions.Count}.", nameof(found));
+                    {
+                        throw new ArgumentException($"The list of particle {i} names particle {j}; there are {positions.Count}.",
+                            nameof(found));
+                    }
                     times[i, j] = (byte)Math.Min(2, times[i, j] + 1);
                 }
             }
@@ -99,7 +107,8 @@ namespace SphFluid.Validation
         /// <summary>Looks at a solver's search as its last neighbour setup left it, by the search's own loop on the GPU.</summary>
         /// <param name="solver">The solver.</param>
         /// <param name="shader">NeighbourAudit.compute, or another with its kernel and tables.</param>
-        /// <exception cref="FluidDeviceException">The device cannot run the kernel or hold its tables (2 bits a pair of particles).</exception>
+        /// <exception cref="FluidDeviceException">The device cannot run the kernel or hold its tables (2 bits a pair of
+        /// particles).</exception>
         public static NeighbourAudit Of(FluidSolver solver, ComputeShader shader)
         {
             int count = solver.ParticleCount;
@@ -135,7 +144,7 @@ namespace SphFluid.Validation
             return FromTables(solver, found, twice, words);
         }
 
-        static NeighbourAudit FromTables(FluidSolver solver, uint[] found, uint[] twice, int words)
+        private static NeighbourAudit FromTables(FluidSolver solver, uint[] found, uint[] twice, int words)
         {
             var particles = new FluidParticle[solver.ParticleCount];
             solver.Particles.GetData(particles);
@@ -151,23 +160,22 @@ namespace SphFluid.Validation
                 }
             }
             var audit = new NeighbourAudit { WrongCells = CountWrongCells(solver, positions) };
-            audit.Compare(positions, solver.Settings.SupportRadius, solver.Settings.PeriodLength, times, Array.ConvertAll(particles, p => p.Id));
+            audit.Compare(positions, solver.Settings.SupportRadius, solver.Settings.PeriodLength, times,
+                Array.ConvertAll(particles, p => p.Id));
             return audit;
         }
 
-        void Compare(IReadOnlyList<Vector3> positions, double radius, Vector3 period, byte[,] times, uint[] ids)
+        private void Compare(IReadOnlyList<Vector3> positions, double radius, Vector3 period, byte[,] times, uint[] ids)
         {
             for (int i = 0; i < positions.Count; i++)
             {
                 for (int j = 0; j < positions.Count; j++)
                 {
-                    if (i == j)
-                        continue;
+                    if (i == j) continue;
                     double distance = Distance(positions[i], positions[j], period);
                     bool near = distance < radius;
                     Pairs += near ? 1 : 0;
-                    if (Math.Abs(distance - radius) < Border * radius)
-                        continue;
+                    if (Math.Abs(distance - radius) < Border * radius) continue;
                     var error = new NeighbourAuditError(ids == null ? (uint)i : ids[i], ids == null ? (uint)j : ids[j], distance);
                     if (near && times[i, j] == 0) missing.Add(error);
                     if (!near && times[i, j] > 0) strangers.Add(error);
@@ -177,21 +185,21 @@ namespace SphFluid.Validation
             }
         }
 
-        static double Distance(Vector3 a, Vector3 b, Vector3 period)
+        private static double Distance(Vector3 a, Vector3 b, Vector3 period)
         {
             double x = Along(a.x, b.x, period.x), y = Along(a.y, b.y, period.y), z = Along(a.z, b.z, period.z);
             return Math.Sqrt(x * x + y * y + z * z);
         }
 
         // Box of 1 m: from 0.4 to −0.45 it is 0.15.
-        static double Along(double a, double b, double period)
+        private static double Along(double a, double b, double period)
         {
             double d = a - b;
             return period > 0.0 ? d - period * Math.Round(d / period) : d;
         }
 
         // Each range holds particles of its cell only, and each particle is in one range.
-        static int CountWrongCells(FluidSolver solver, Vector3[] positions)
+        private static int CountWrongCells(FluidSolver solver, Vector3[] positions)
         {
             FluidGrid grid = solver.Grid;
             var ranges = new uint[2 * grid.CellCount];
@@ -213,13 +221,13 @@ namespace SphFluid.Validation
         }
 
         // A particle on a face belongs to either cell, by rounding; one on the box's face to the last.
-        static bool IsIn(in FluidGrid grid, int cell, Vector3 position)
+        private static bool IsIn(in FluidGrid grid, int cell, Vector3 position)
         {
             Vector3 p = position - grid.Origin;
             int x = cell % grid.Counts.x, y = cell / grid.Counts.x % grid.Counts.y, z = cell / (grid.Counts.x * grid.Counts.y);
             return IsIn(x, p.x / grid.CellSize.x) && IsIn(y, p.y / grid.CellSize.y) && IsIn(z, p.z / grid.CellSize.z);
         }
 
-        static bool IsIn(int cell, float place) => place >= cell - Border && place <= cell + 1 + Border;
+        private static bool IsIn(int cell, float place) => place >= cell - Border && place <= cell + 1 + Border;
     }
 }

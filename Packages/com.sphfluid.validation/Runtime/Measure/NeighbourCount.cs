@@ -6,7 +6,7 @@ namespace SphFluid.Validation
     /// <summary>Counts the neighbours within the support radius on the CPU: mean and maximum over the particles.</summary>
     public readonly struct NeighbourCount
     {
-        NeighbourCount(double mean, int maximum)
+        private NeighbourCount(double mean, int maximum)
         {
             Mean = mean;
             Maximum = maximum;
@@ -21,8 +21,7 @@ namespace SphFluid.Validation
         /// <summary>Counts by a grid of cells of edge R; particles that are not finite count as having none.</summary>
         public static NeighbourCount Of(Vector3[] positions, float supportRadius)
         {
-            if (positions.Length == 0)
-                return new NeighbourCount(0, 0);
+            if (positions.Length == 0) return new NeighbourCount(0, 0);
             var cells = new CellLists(positions, supportRadius);
             long sum = 0;
             int maximum = 0;

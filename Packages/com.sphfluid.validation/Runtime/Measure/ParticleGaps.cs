@@ -9,9 +9,9 @@ namespace SphFluid.Validation
     /// </summary>
     public readonly struct ParticleGaps
     {
-        const float Close = 0.5f;
+        private const float Close = 0.5f;
 
-        ParticleGaps(int closeCount, int count, double nearest)
+        private ParticleGaps(int closeCount, int count, double nearest)
         {
             CloseCount = closeCount;
             CloseShare = count > 0 ? (double)closeCount / count : 0.0;

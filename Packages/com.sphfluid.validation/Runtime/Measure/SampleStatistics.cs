@@ -6,7 +6,7 @@ namespace SphFluid.Validation
     /// <summary>Median, least and greatest of some samples.</summary>
     public readonly struct SampleStatistics
     {
-        SampleStatistics(double median, double minimum, double maximum)
+        private SampleStatistics(double median, double minimum, double maximum)
         {
             Median = median;
             Minimum = minimum;
@@ -26,8 +26,7 @@ namespace SphFluid.Validation
         /// <exception cref="ArgumentException">There is no sample.</exception>
         public static SampleStatistics Of(IReadOnlyCollection<double> samples)
         {
-            if (samples.Count == 0)
-                throw new ArgumentException("There is no median of no samples.", nameof(samples));
+            if (samples.Count == 0) throw new ArgumentException("There is no median of no samples.", nameof(samples));
             var sorted = new List<double>(samples);
             sorted.Sort();
             int middle = sorted.Count / 2;

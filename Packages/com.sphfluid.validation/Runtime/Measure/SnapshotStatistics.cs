@@ -6,7 +6,7 @@ namespace SphFluid.Validation
     /// <summary>What a state of the liquid looks like in numbers.</summary>
     public sealed class SnapshotStatistics
     {
-        SnapshotStatistics()
+        private SnapshotStatistics()
         {
         }
 
@@ -50,8 +50,7 @@ namespace SphFluid.Validation
                     continue;
                 }
                 Vector3 local = snapshot.LocalPositions[i];
-                if (Math.Abs(local.x) > half.x || Math.Abs(local.y) > half.y || Math.Abs(local.z) > half.z)
-                    result.EscapedCount++;
+                if (Math.Abs(local.x) > half.x || Math.Abs(local.y) > half.y || Math.Abs(local.z) > half.z) result.EscapedCount++;
                 double speedSquare = snapshot.Velocities[i].sqrMagnitude;
                 speedSquares += speedSquare;
                 result.MaxSpeed = Math.Max(result.MaxSpeed, Math.Sqrt(speedSquare));
@@ -69,6 +68,6 @@ namespace SphFluid.Validation
             return result;
         }
 
-        static bool IsFinite(Vector3 v) => !float.IsNaN(v.sqrMagnitude) && !float.IsInfinity(v.sqrMagnitude);
+        private static bool IsFinite(Vector3 v) => !float.IsNaN(v.sqrMagnitude) && !float.IsInfinity(v.sqrMagnitude);
     }
 }

@@ -5,18 +5,20 @@ using System.Linq;
 namespace SphFluid.Validation
 {
     /// <summary>
-    /// The time of a step over a run, and how far it can be trusted. The run is divided into parts of about as many steps; of the parts' means the
-    /// median is the time, and the quartiles are its bar. A disturbance that lasts for a part or two does not move the median, and steps that
-    /// differ in turn, as those with and without a sort, are together in every part.
+    /// The time of a step over a run, and how far it can be trusted. The run is divided into parts of about as many steps; of the parts'
+    /// means the median is the time, and the quartiles are its bar. A disturbance that lasts for a part or two does not move the median,
+    /// and steps that differ in turn, as those with and without a sort, are together in every part.
     /// </summary>
     public readonly struct StepTimes
     {
-        /// <summary>A spread above this says that the device was busy with something else, or that the flow's cost changed by as much.</summary>
+        /// <summary>
+        /// A spread above this says that the device was busy with something else, or that the flow's cost changed by as much.
+        /// </summary>
         public const double BusySpread = 0.25;
 
-        const int MostParts = 9;
+        private const int MostParts = 9;
 
-        StepTimes(double median, double low, double high, double mean)
+        private StepTimes(double median, double low, double high, double mean)
         {
             Median = median;
             Low = low;
@@ -50,10 +52,11 @@ namespace SphFluid.Validation
         public static StepTimes Of(IReadOnlyList<double> milliseconds, IReadOnlyList<int> steps, int mostParts = MostParts)
         {
             if (milliseconds.Count != steps.Count)
+            {
                 throw new ArgumentException($"There are {milliseconds.Count} times of {steps.Count} submissions.", nameof(milliseconds));
+            }
             long all = steps.Sum(s => (long)s);
-            if (all == 0)
-                return None;
+            if (all == 0) return None;
             var means = new List<double>();
             double part = (double)all / Math.Min(mostParts, steps.Count), time = 0.0;
             long count = 0, done = 0;
@@ -63,8 +66,7 @@ namespace SphFluid.Validation
                 count += steps[i];
                 done += steps[i];
                 // Half a part that is left over belongs to the last one.
-                if (done < all && (done < (means.Count + 1) * part - 1e-9 || all - done < 0.5 * part))
-                    continue;
+                if (done < all && (done < (means.Count + 1) * part - 1e-9 || all - done < 0.5 * part)) continue;
                 means.Add(time / count);
                 (time, count) = (0.0, 0);
             }

@@ -3,7 +3,7 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>A point in world space in double precision: at 100 km from the origin a float is good for 8 mm.</summary>
-    readonly struct WorldPoint
+    internal readonly struct WorldPoint
     {
         public WorldPoint(double x, double y, double z) => (X, Y, Z) = (x, y, z);
 
@@ -24,6 +24,7 @@ namespace SphFluid.Validation
         /// <summary>[m].</summary>
         public double Z { get; }
 
-        static double Along(Vector4 row, Vector3 local) => (double)row.x * local.x + (double)row.y * local.y + (double)row.z * local.z + row.w;
+        private static double Along(Vector4 row, Vector3 local) => (double)row.x * local.x + (double)row.y * local.y +
+            (double)row.z * local.z + row.w;
     }
 }

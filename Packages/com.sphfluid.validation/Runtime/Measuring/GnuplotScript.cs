@@ -7,8 +7,8 @@ namespace SphFluid.Validation
     /// <summary>A gnuplot script, with its data, that draws one picture in one or more formats in its folder.</summary>
     public abstract class GnuplotScript
     {
-        readonly string stem;
-        readonly string[] formats;
+        private readonly string stem;
+        private readonly string[] formats;
 
         /// <param name="stem">Name of the script and its pictures without ending.</param>
         /// <param name="formats">Endings of the pictures.</param>
@@ -26,7 +26,8 @@ namespace SphFluid.Validation
 
         /// <summary>Script and pictures, for <see cref="ResultFolder"/>.</summary>
         internal static IEnumerable<ResultFile> Files(string stem, params string[] formats) =>
-            formats.Select(f => ResultFile.Drawn($"{stem}.{f}", FileOf(stem))).Prepend(ResultFile.Text(FileOf(stem), FirstLine(stem, formats)));
+            formats.Select(f => ResultFile.Drawn($"{stem}.{f}", FileOf(stem)))
+                .Prepend(ResultFile.Text(FileOf(stem), FirstLine(stem, formats)));
 
         /// <summary>Writes scripts and draws them, up to the first that cannot be drawn.</summary>
         /// <param name="folder">Folder of scripts and pictures.</param>
@@ -56,11 +57,11 @@ namespace SphFluid.Validation
         {
             yield return "do for [format in \"svg png\"] {";
             yield return "reset";
-            yield return $"if (format eq \"svg\") {{ set terminal svg noenhanced size {size} font 'DejaVu Sans,{svgFont}' background 'white' }} " +
+            yield return $"if (format eq \"svg\") {{ set terminal svg noenhanced size {size} font 'DejaVu Sans,{svgFont}' background " +
+                $"'white' }} " +
                 $"else {{ set terminal pngcairo noenhanced size {size} font 'DejaVu Sans,{pngFont}' background 'white' }}";
             yield return $"set output '{stem}.' . format";
-            foreach (string line in drawing)
-                yield return line;
+            foreach (string line in drawing) yield return line;
             yield return "unset output";
             yield return "}";
         }
@@ -72,9 +73,9 @@ namespace SphFluid.Validation
         /// <summary>A plot of layers, a line each.</summary>
         private protected static string Plot(IEnumerable<string> layers) => "plot " + string.Join(", \\\n    ", layers);
 
-        static string FileOf(string stem) => stem + ".gp";
+        private static string FileOf(string stem) => stem + ".gp";
 
-        static string FirstLine(string stem, string[] formats) =>
+        private static string FirstLine(string stem, string[] formats) =>
             $"# Draws {string.Join(" and ", formats.Select(f => $"{stem}.{f}"))}: gnuplot {FileOf(stem)}";
     }
 }

@@ -7,22 +7,22 @@ using System.Linq;
 namespace SphFluid.Validation
 {
     /// <summary>
-    /// A measurement of many jobs. Jobs that the folder holds are not done again: an interrupted session continues by the same command. When
-    /// its slice of time is up it ends between two jobs, and draws what there is.
+    /// A measurement of many jobs. Jobs that the folder holds are not done again: an interrupted session continues by the same command.
+    /// When its slice of time is up it ends between two jobs, and draws what there is.
     /// </summary>
     public abstract class JobSession : MeasuringSession
     {
         // A job that takes longer than expected is never quite done.
-        const double MostOfAJob = 0.95;
+        private const double MostOfAJob = 0.95;
 
-        readonly MeasuringArguments arguments;
-        readonly string noun, device;
-        readonly TimeSpan? slice;
-        readonly SessionRate rate;
-        readonly Stopwatch jobClock = new Stopwatch(), session = new Stopwatch();
-        readonly List<SessionJob> rest = new List<SessionJob>();
-        SessionJob current;
-        ShardFolder shard; // null where all runs are done here
+        private readonly MeasuringArguments arguments;
+        private readonly string noun, device;
+        private readonly TimeSpan? slice;
+        private readonly SessionRate rate;
+        private readonly Stopwatch jobClock = new Stopwatch(), session = new Stopwatch();
+        private readonly List<SessionJob> rest = new List<SessionJob>();
+        private SessionJob current;
+        private ShardFolder shard; // null where all runs are done here
 
         /// <param name="arguments">What to measure.</param>
         /// <param name="noun">What the jobs are, for instance "runs".</param>
@@ -43,8 +43,7 @@ namespace SphFluid.Validation
         public override bool Step()
         {
             bool more = base.Step();
-            if (more && current != null)
-                ShowProgress();
+            if (more && current != null) ShowProgress();
             return more;
         }
 
@@ -108,20 +107,21 @@ namespace SphFluid.Validation
                 yield break;
             }
             List<SessionJob> jobs = Jobs().ToList();
-            if (shard != null)
-                jobs = shard.Take(jobs);
+            if (shard != null) jobs = shard.Take(jobs);
             List<SessionJob> pending = jobs.Where(j => !j.IsDone()).ToList();
             rest.AddRange(pending);
             (Count, Done) = (jobs.Count, jobs.Count - pending.Count);
-            if (pending.Count > 0)
-                yield return Begin();
+            if (pending.Count > 0) yield return Begin();
             string part = shard == null ? "" : $"Shard {shard.Shard} of the plan's {shard.PlannedRuns}: ";
             Progress.Say($"{part}{Count} {noun} on {device}{(Done > 0 ? $", {Done} of them are there already" : "")}{TimeLeft(": ")}.");
             session.Restart();
             foreach (SessionJob job in pending)
             {
-                if (job != pending[0] && slice.HasValue && session.Elapsed + (rate.TimeFor(job.Cost, job.Kind) ?? TimeSpan.Zero) > slice.Value)
+                if (job != pending[0] && slice.HasValue &&
+                    session.Elapsed + (rate.TimeFor(job.Cost, job.Kind) ?? TimeSpan.Zero) > slice.Value)
+                {
                     break;
+                }
                 rest.Remove(job);
                 current = job;
                 jobClock.Restart();
@@ -134,39 +134,37 @@ namespace SphFluid.Validation
                 job.Report?.Invoke();
             }
             // A part makes no picture: merge draws the whole.
-            if (shard == null)
-                Draw();
+            if (shard == null) Draw();
             Progress.Say(Done == Count
-                ? $"All {Count} {noun}{(shard == null ? "" : $" of shard {shard.Shard}")} are done; this session took {SessionProgress.Duration(session.Elapsed)}."
+                ? $"All {Count} {noun}{(shard == null ? "" : $" of shard {shard.Shard}")} are done; this session took " +
+                    $"{SessionProgress.Duration(session.Elapsed)}."
                 : $"Time is up with {Done} of {Count} {noun} done{TimeLeft(", ")}. The same command goes on from there.");
         }
 
-        void ShowProgress()
+        private void ShowProgress()
         {
-            if (current.Share != null)
-                rate.Running(current.Cost * current.Share(), jobClock.Elapsed, current.Kind);
+            if (current.Share != null) rate.Running(current.Cost * current.Share(), jobClock.Elapsed, current.Kind);
             TimeSpan? time = Left();
             double part = current.Share != null ? current.Share() : 0.0;
-            Progress.Show(time.HasValue ? session.Elapsed.TotalSeconds / Math.Max(1e-9, (session.Elapsed + time.Value).TotalSeconds) : (Done + part) / Count, time, current.Name);
+            Progress.Show(time.HasValue ? session.Elapsed.TotalSeconds / Math.Max(1e-9, (session.Elapsed + time.Value).TotalSeconds)
+                : (Done + part) / Count, time, current.Name);
         }
 
         // Of the running job what it says of itself, else by the time that has gone by of the time that it is expected to take.
-        TimeSpan? Left()
+        private TimeSpan? Left()
         {
             TimeSpan sum = TimeSpan.Zero;
             foreach (SessionJob job in rest)
             {
                 TimeSpan? time = rate.TimeFor(job.Cost, job.Kind);
-                if (!time.HasValue)
-                    return null;
+                if (!time.HasValue) return null;
                 sum += time.Value;
             }
-            if (current == null)
-                return sum;
+            if (current == null) return sum;
             TimeSpan? whole = rate.TimeFor(current.Cost, current.Kind);
-            if (!whole.HasValue)
-                return null;
-            double part = current.Share != null ? current.Share() : Math.Min(MostOfAJob, jobClock.Elapsed.TotalSeconds / Math.Max(1e-9, whole.Value.TotalSeconds));
+            if (!whole.HasValue) return null;
+            double part = current.Share != null ? current.Share()
+                : Math.Min(MostOfAJob, jobClock.Elapsed.TotalSeconds / Math.Max(1e-9, whole.Value.TotalSeconds));
             return sum + TimeSpan.FromSeconds((1.0 - part) * whole.Value.TotalSeconds);
         }
     }

@@ -4,10 +4,12 @@ using System.Linq;
 
 namespace SphFluid.Validation
 {
-    /// <summary>The flags of a measurement. A subclass adds them in its constructor, in the order in which help and messages list them.</summary>
+    /// <summary>
+    /// The flags of a measurement. A subclass adds them in its constructor, in the order in which help and messages list them.
+    /// </summary>
     public abstract class MeasuringArguments
     {
-        bool folderGiven;
+        private bool folderGiven;
 
         /// <param name="verb">Name of the measurement on the command line.</param>
         /// <param name="folder">Folder of the files without --out; null for none.</param>
@@ -22,8 +24,8 @@ namespace SphFluid.Validation
         internal string Verb { get; }
 
         /// <summary>
-        /// What is measured, as the command line has it, without what changes no result: folder, slice and shard. Only the verb where nothing
-        /// else is chosen.
+        /// What is measured, as the command line has it, without what changes no result: folder, slice and shard. Only the verb where
+        /// nothing else is chosen.
         /// </summary>
         internal virtual string Command => Verb;
 
@@ -45,12 +47,16 @@ namespace SphFluid.Validation
         private protected void AddQuick(string text) => Options.Add("--quick", text, flag => Quick = flag.On());
 
         private protected void AddFolder(string absent = null) =>
-            Options.Add("--out", "DIR", "folder for the output", absent ?? OutputFolder, flag => (OutputFolder, folderGiven) = (flag.Folder(), true));
+            Options.Add("--out", "DIR", "folder for the output", absent ?? OutputFolder,
+                flag => (OutputFolder, folderGiven) = (flag.Folder(), true));
 
-        private protected void AddSlice(string absent) => Options.Add("--slice", "MINUTES", "stops between two runs after this time", absent,
+        private protected void AddSlice(string absent) =>
+            Options.Add("--slice", "MINUTES", "stops between two runs after this time", absent,
             flag => Slice = CommandLineWords.Minutes(flag.Name, flag.Value()));
 
-        private protected void AddShard() => Options.Add("--shard", "I/N", "only the runs of one of N machines, I from 1 to N; ./run merge puts their folders together", "all runs",
+        private protected void AddShard() =>
+            Options.Add("--shard", "I/N", "only the runs of one of N machines, I from 1 to N; ./run merge puts their folders together",
+                "all runs",
             flag => Shard = Shard.Parse(flag.Name, flag.Value()));
 
         /// <summary>See <see cref="Command"/>.</summary>
@@ -60,11 +66,11 @@ namespace SphFluid.Validation
                 .Concat(chosen.Where(c => c.Names != null).SelectMany(c => c.Names.Prepend(c.Flag))));
 
         /// <summary>Adds a flag that chooses by name, any number of times.</summary>
-        private protected void AddChoice<T>(string name, string text, string absent, List<T> chosen, IReadOnlyList<T> known, Func<T, string> nameOf) =>
+        private protected void AddChoice<T>(string name, string text, string absent, List<T> chosen, IReadOnlyList<T> known,
+            Func<T, string> nameOf) =>
             Options.Add(name, "NAME...", text, absent, known.Select(nameOf).ToArray(), flag =>
             {
-                foreach (string word in flag.Values())
-                    CommandLineWords.Choose(chosen, name, word, known, nameOf);
+                foreach (string word in flag.Values()) CommandLineWords.Choose(chosen, name, word, known, nameOf);
             });
 
         /// <summary>
@@ -74,8 +80,7 @@ namespace SphFluid.Validation
         private protected void Read(IReadOnlyList<string> commandLine)
         {
             Options.Read(commandLine);
-            if (Shard != null && !folderGiven)
-                OutputFolder += $"-{Shard.Index}-of-{Shard.Count}";
+            if (Shard != null && !folderGiven) OutputFolder += $"-{Shard.Index}-of-{Shard.Count}";
         }
     }
 }

@@ -6,9 +6,9 @@ namespace SphFluid.Validation
     /// <summary>A measurement that writes its results to a folder.</summary>
     public abstract class MeasuringSession : IValidationSession
     {
-        readonly SessionWork work;
-        ResultFolder results;
-        bool disposed;
+        private readonly SessionWork work;
+        private ResultFolder results;
+        private bool disposed;
 
         /// <param name="arguments">What to measure.</param>
         /// <param name="progress">Where it says how far it is.</param>
@@ -30,11 +30,9 @@ namespace SphFluid.Validation
         /// <summary>Frees the GPU memory, and says what is there when it is not done; the files are whole at any time.</summary>
         public void Dispose()
         {
-            if (disposed)
-                return;
+            if (disposed) return;
             disposed = true;
-            if (!work.IsDone)
-                Progress.Say("Stopped early. " + Unfinished);
+            if (!work.IsDone) Progress.Say("Stopped early. " + Unfinished);
             work.Clear();
             results?.Close();
         }

@@ -9,11 +9,11 @@ namespace SphFluid.Validation
     /// <summary>The rows that one device gave, and their file, which is written whole after every change.</summary>
     public sealed class ResultTable<TRow> where TRow : MeasuredRow
     {
-        const string Cure = "Choose another folder with --out, or move the file away.";
+        private const string Cure = "Choose another folder with --out, or move the file away.";
 
-        readonly string folder;
-        readonly List<TRow> rows = new List<TRow>();
-        readonly HashSet<string> keys = new HashSet<string>();
+        private readonly string folder;
+        private readonly List<TRow> rows = new List<TRow>();
+        private readonly HashSet<string> keys = new HashSet<string>();
 
         /// <summary>An empty table; its file is written with the first row.</summary>
         /// <param name="format">Name and columns of the file.</param>
@@ -45,8 +45,7 @@ namespace SphFluid.Validation
         {
             var table = new ResultTable<TRow>(format, folder, device);
             string file = Path.Combine(folder, format.FileName);
-            if (File.Exists(file))
-                table.Load(file, create);
+            if (File.Exists(file)) table.Load(file, create);
             return table;
         }
 
@@ -62,8 +61,7 @@ namespace SphFluid.Validation
             foreach (TRow row in added)
             {
                 row.Device = Device;
-                if (row.Date.Length == 0)
-                    row.Date = DateTime.UtcNow.ToString("yyyy-MM-dd", CultureInfo.InvariantCulture);
+                if (row.Date.Length == 0) row.Date = DateTime.UtcNow.ToString("yyyy-MM-dd", CultureInfo.InvariantCulture);
                 Append(row);
             }
             Write();
@@ -72,18 +70,21 @@ namespace SphFluid.Validation
         /// <summary>Writes the rows that are measured.</summary>
         public void Write() => Format.Write(folder, rows.Where(r => r.IsMeasured));
 
-        void Append(TRow row)
+        private void Append(TRow row)
         {
             rows.Add(row);
-            if (row.Key != null)
-                keys.Add(row.Key);
+            if (row.Key != null) keys.Add(row.Key);
         }
 
-        void Load(string file, Func<TRow> create)
+        private void Load(string file, Func<TRow> create)
         {
             string[] lines = File.ReadAllLines(file);
             if (lines.Length == 0 || lines[0] != Format.FirstLine)
-                throw new CommandLineException($"'{file}' does not have the columns of this version{(lines.Length > 0 && Format.Reads(lines[0]) ? ", but those of an earlier one" : "")}. {Cure}");
+            {
+                throw new CommandLineException(
+                    $"'{file}' does not have the columns of this " +
+                    $"version{(lines.Length > 0 && Format.Reads(lines[0]) ? ", but those of an earlier one" : "")}. {Cure}");
+            }
             for (int i = 1; i < lines.Length; i++)
             {
                 TRow row = create();
@@ -99,8 +100,7 @@ namespace SphFluid.Validation
                 Append(row);
             }
             TRow other = rows.Find(r => r.Device != Device);
-            if (other != null)
-                throw new CommandLineException($"'{file}' has runs of '{other.Device}', and this is '{Device}'. {Cure}");
+            if (other != null) throw new CommandLineException($"'{file}' has runs of '{other.Device}', and this is '{Device}'. {Cure}");
         }
     }
 }

@@ -4,7 +4,7 @@ using System.Collections;
 namespace SphFluid.Validation
 {
     /// <summary>A part of a long measurement, done as a whole.</summary>
-    sealed class SessionJob
+    internal sealed class SessionJob
     {
         /// <summary>A job.</summary>
         /// <param name="name">For progress lines.</param>
@@ -16,7 +16,8 @@ namespace SphFluid.Validation
         /// <param name="share">The part of its cost that is done, 0 to 1, while it runs; null where it does not know.</param>
         /// <param name="key">Names the job among all of its session, the same on every machine; null where the name does.</param>
         /// <param name="group">Equal for jobs that one machine should do, as they share work; null for a job of its own.</param>
-        public SessionJob(string name, double cost, Func<bool> isDone, Func<IEnumerator> work, Action report = null, string kind = "", Func<double> share = null,
+        public SessionJob(string name, double cost, Func<bool> isDone, Func<IEnumerator> work, Action report = null, string kind = "",
+            Func<double> share = null,
             string key = null, string group = null)
         {
             Name = name;

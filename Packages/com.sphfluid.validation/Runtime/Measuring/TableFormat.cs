@@ -7,16 +7,16 @@ using System.Linq;
 namespace SphFluid.Validation
 {
     /// <summary>
-    /// Name and columns of a CSV file. A column is stated once: its name, its cell of a row and, where the file is read again, how a row takes
-    /// the cell. Example: <c>new TableFormat&lt;Fall&gt;("fall.csv").Text("case", r => r.Case).Number("speed_m_s", r => r.Speed)</c>.
+    /// Name and columns of a CSV file. A column is stated once: its name, its cell of a row and, where the file is read again, how a row
+    /// takes the cell. Example: <c>new TableFormat&lt;Fall&gt;("fall.csv").Text("case", r => r.Case).Number("speed_m_s", r => r.Speed)</c>.
     /// </summary>
     public sealed class TableFormat<TRow>
     {
-        readonly List<(string Name, Func<TRow, string> Cell, Action<TRow, string> Take)> columns =
+        private readonly List<(string Name, Func<TRow, string> Cell, Action<TRow, string> Take)> columns =
             new List<(string, Func<TRow, string>, Action<TRow, string>)>();
 
-        int required;
-        bool hasLater;
+        private int required;
+        private bool hasLater;
 
         /// <summary>A table without columns.</summary>
         /// <param name="fileName">Name of the file.</param>
@@ -55,8 +55,7 @@ namespace SphFluid.Validation
         public TableFormat<TRow> Text(string name, Func<TRow, string> cell, Action<TRow, string> take = null)
         {
             columns.Add((name, cell, take));
-            if (!hasLater)
-                required = columns.Count;
+            if (!hasLater) required = columns.Count;
             return this;
         }
 
@@ -80,7 +79,8 @@ namespace SphFluid.Validation
         /// <param name="take">Sets it.</param>
         /// <param name="yes">The first word.</param>
         /// <param name="no">The second word.</param>
-        public TableFormat<TRow> Flag(string name, Func<TRow, bool> value, Action<TRow, bool> take = null, string yes = "1", string no = "0") =>
+        public TableFormat<TRow> Flag(string name, Func<TRow, bool> value, Action<TRow, bool> take = null, string yes = "1",
+            string no = "0") =>
             Text(name, row => value(row) ? yes : no, Parsed(take, cell => cell == yes));
 
         /// <summary>The line of a row.</summary>
@@ -101,9 +101,10 @@ namespace SphFluid.Validation
         {
             string[] cells = CsvText.Split(line);
             if (cells.Length < required || cells.Length > columns.Count)
+            {
                 throw new FormatException($"{cells.Length} cells instead of {columns.Count}");
-            for (int i = 0; i < cells.Length; i++)
-                columns[i].Take?.Invoke(row, cells[i]);
+            }
+            for (int i = 0; i < cells.Length; i++) columns[i].Take?.Invoke(row, cells[i]);
         }
 
         /// <summary>The rows of a whole file, also of one from before later columns.</summary>
@@ -113,8 +114,7 @@ namespace SphFluid.Validation
         public List<TRow> ReadAll(string file, Func<TRow> create)
         {
             string[] lines = System.IO.File.ReadAllLines(file);
-            if (lines.Length == 0 || !Reads(lines[0]))
-                throw new FormatException($"'{file}' does not have the columns of {FileName}");
+            if (lines.Length == 0 || !Reads(lines[0])) throw new FormatException($"'{file}' does not have the columns of {FileName}");
             int cells = CsvText.Split(lines[0]).Length;
             var rows = new List<TRow>();
             for (int i = 1; i < lines.Length; i++)
@@ -122,8 +122,7 @@ namespace SphFluid.Validation
                 TRow row = create();
                 try
                 {
-                    if (CsvText.Split(lines[i]).Length != cells)
-                        throw new FormatException($"it does not have {cells} cells");
+                    if (CsvText.Split(lines[i]).Length != cells) throw new FormatException($"it does not have {cells} cells");
                     Read(lines[i], row);
                 }
                 catch (Exception exception) when (exception is FormatException || exception is OverflowException)
@@ -135,7 +134,7 @@ namespace SphFluid.Validation
             return rows;
         }
 
-        static Action<TRow, string> Parsed<T>(Action<TRow, T> take, Func<string, T> parse) =>
+        private static Action<TRow, string> Parsed<T>(Action<TRow, T> take, Func<string, T> parse) =>
             take == null ? (Action<TRow, string>)null : (row, cell) => take(row, parse(cell));
     }
 }

@@ -67,13 +67,12 @@ namespace SphFluid.Validation
             {
                 using (var writer = new StreamWriter(stream, new UTF8Encoding(false), 1 << 16))
                 {
-                    foreach (string line in lines)
-                        writer.WriteLine(line);
+                    foreach (string line in lines) writer.WriteLine(line);
                 }
             });
         }
 
-        static string Quoted(string cell)
+        private static string Quoted(string cell)
         {
             string line = cell.Replace("\r", "").Replace('\n', ' ');
             return line.IndexOfAny(new[] { ',', '"' }) < 0 ? line : "\"" + line.Replace("\"", "\"\"") + "\"";

@@ -9,8 +9,8 @@ namespace SphFluid.Validation
     /// <summary>A table with a row a frame. Its first column is the frame's number.</summary>
     public sealed class FrameTable
     {
-        readonly string[] columns;
-        readonly List<string[]> rows = new List<string[]>();
+        private readonly string[] columns;
+        private readonly List<string[]> rows = new List<string[]>();
 
         /// <summary>Makes an empty table; the column "frame" comes first by itself.</summary>
         public FrameTable(params string[] columns)
@@ -22,7 +22,10 @@ namespace SphFluid.Validation
         public void Add(params double[] values)
         {
             if (values.Length != columns.Length)
-                throw new ArgumentException($"The table has {columns.Length} columns beside the frame, found {values.Length} values.", nameof(values));
+            {
+                throw new ArgumentException($"The table has {columns.Length} columns beside the frame, found {values.Length} values.",
+                    nameof(values));
+            }
             rows.Add(values.Select(v => v.ToString("R", CultureInfo.InvariantCulture)).ToArray());
         }
 
@@ -30,8 +33,7 @@ namespace SphFluid.Validation
         public void Write(string file)
         {
             var lines = new List<string> { "frame," + string.Join(",", columns) };
-            for (int i = 0; i < rows.Count; i++)
-                lines.Add(i.ToString(CultureInfo.InvariantCulture) + "," + string.Join(",", rows[i]));
+            for (int i = 0; i < rows.Count; i++) lines.Add(i.ToString(CultureInfo.InvariantCulture) + "," + string.Join(",", rows[i]));
             CsvText.WriteWhole(file, lines);
         }
 
@@ -44,15 +46,16 @@ namespace SphFluid.Validation
         {
             string[] lines = File.ReadAllLines(file);
             int place = lines.Length == 0 ? -1 : Array.IndexOf(lines[0].Split(','), after);
-            if (place < 0)
-                throw new InvalidDataException($"'{file}' has no column '{after}'.");
+            if (place < 0) throw new InvalidDataException($"'{file}' has no column '{after}'.");
             lines[0] = Insert(lines[0], place + 1, columns);
             for (int i = 1; i < lines.Length; i++)
+            {
                 lines[i] = Insert(lines[i], place + 1, i <= rows.Count ? rows[i - 1] : new string[columns.Length]);
+            }
             CsvText.WriteWhole(file, lines);
         }
 
-        static string Insert(string line, int place, IEnumerable<string> values)
+        private static string Insert(string line, int place, IEnumerable<string> values)
         {
             var cells = new List<string>(line.Split(','));
             cells.InsertRange(place, values);

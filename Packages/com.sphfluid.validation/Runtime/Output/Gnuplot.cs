@@ -15,7 +15,7 @@ namespace SphFluid.Validation
         /// <summary>The program's name; it is looked for in the PATH.</summary>
         public const string Program = "gnuplot";
 
-        const int LongestMilliseconds = 120000;
+        private const int LongestMilliseconds = 120000;
 
         /// <summary>Draws a script in its folder.</summary>
         /// <param name="script">The script.</param>
@@ -44,9 +44,11 @@ namespace SphFluid.Validation
                     return process.ExitCode == 0 ? null : $"{program} could not draw '{script}': {LastLine(said)}";
                 }
             }
-            catch (Exception exception) when (exception is Win32Exception || exception is PlatformNotSupportedException || exception is NotSupportedException)
+            catch (Exception exception) when (exception is Win32Exception || exception is PlatformNotSupportedException ||
+                exception is NotSupportedException)
             {
-                return $"No picture: the program {program} is not installed (Debian: apt-get install gnuplot-nox, else http://www.gnuplot.info). " +
+                return $"No picture: the program {program} is not installed (Debian: apt-get install gnuplot-nox, else " +
+                    "http://www.gnuplot.info). " +
                     $"Then: cd '{folder}' && {Program} {Path.GetFileName(script)}";
             }
         }
@@ -72,11 +74,11 @@ namespace SphFluid.Validation
                 }
                 line.Append(line.Length > 0 ? " " : "").Append(word);
             }
-            if (line.Length > 0)
-                lines.Add(line.ToString());
+            if (line.Length > 0) lines.Add(line.ToString());
             return lines.ToArray();
         }
 
-        static string LastLine(string text) => text.Split('\n').Select(l => l.Trim()).LastOrDefault(l => l.Length > 0) ?? "it gave no reason.";
+        private static string LastLine(string text) => text.Split('\n').Select(l => l.Trim()).LastOrDefault(l => l.Length > 0) ??
+            "it gave no reason.";
     }
 }

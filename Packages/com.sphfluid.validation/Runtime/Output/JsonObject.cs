@@ -9,7 +9,7 @@ namespace SphFluid.Validation
     /// <summary>A JSON object written key by key; it can be added to the end of an object that is already on disk.</summary>
     public sealed class JsonObject
     {
-        readonly List<string> members = new List<string>();
+        private readonly List<string> members = new List<string>();
 
         /// <summary>Adds a text.</summary>
         public JsonObject Add(string key, string value) => AddRaw(key, value == null ? "null" : Quote(value));
@@ -50,22 +50,24 @@ namespace SphFluid.Validation
             }
             string text = File.ReadAllText(file).TrimEnd();
             if (!text.StartsWith("{", System.StringComparison.Ordinal) || !text.EndsWith("}", System.StringComparison.Ordinal))
+            {
                 throw new InvalidDataException($"'{file}' holds no JSON object to add to; delete it and play again.");
+            }
             string head = text.Substring(0, text.Length - 1).TrimEnd();
             string separator = head.Length == 1 ? "\n  " : ",\n  ";
             CsvText.WriteWhole(file, new[] { head + separator + string.Join(",\n  ", members) + "\n}" });
         }
 
-        JsonObject AddRaw(string key, string value)
+        private JsonObject AddRaw(string key, string value)
         {
             members.Add(Quote(key) + ": " + value);
             return this;
         }
 
-        static string Number(double value) =>
+        private static string Number(double value) =>
             double.IsNaN(value) || double.IsInfinity(value) ? "null" : value.ToString("R", CultureInfo.InvariantCulture);
 
-        static string Quote(string text)
+        private static string Quote(string text)
         {
             var quoted = new StringBuilder("\"");
             foreach (char c in text)

@@ -10,7 +10,7 @@ namespace SphFluid.Validation
     /// <summary>Writes particles and surfaces as binary little-endian PLY, in world space and SI units.</summary>
     public static class PlyWriter
     {
-        static readonly string[] place = { "double x", "double y", "double z" };
+        private static readonly string[] place = { "double x", "double y", "double z" };
 
         /// <summary>
         /// Writes one vertex a particle, in the order of their ids: x y z [m] as double, vx vy vz [m/s], density [kg/m³],
@@ -41,7 +41,8 @@ namespace SphFluid.Validation
         public static void WriteMesh(string file, SurfaceMesh mesh, Matrix4x4 localToWorld)
         {
             string[] normal = { "float nx", "float ny", "float nz" };
-            string header = Element("vertex", mesh.VertexCount, place.Concat(normal)) + Element("face", mesh.TriangleCount, new[] { "list uchar int vertex_indices" });
+            string header = Element("vertex", mesh.VertexCount, place.Concat(normal)) +
+                Element("face", mesh.TriangleCount, new[] { "list uchar int vertex_indices" });
             Write(file, localToWorld, header, writer =>
             {
                 for (int i = 0; i < mesh.VertexCount; i++)
@@ -52,18 +53,21 @@ namespace SphFluid.Validation
                 for (int i = 0; i < mesh.Indices.Length; i += 3)
                 {
                     writer.Write((byte)3);
-                    for (int corner = 0; corner < 3; corner++)
-                        writer.Write(mesh.Indices[i + corner]);
+                    for (int corner = 0; corner < 3; corner++) writer.Write(mesh.Indices[i + corner]);
                 }
             });
         }
 
-        static void Write(string file, in Matrix4x4 localToWorld, string elements, Action<BinaryWriter> write)
+        private static void Write(string file, in Matrix4x4 localToWorld, string elements, Action<BinaryWriter> write)
         {
             if (!BitConverter.IsLittleEndian)
+            {
                 throw new PlatformNotSupportedException("PLY files are written on little-endian machines only.");
+            }
             Vector3 centre = localToWorld.GetColumn(3);
-            string comment = FormattableString.Invariant($"comment metres in world space; the centre of the domain is at {centre.x:R} {centre.y:R} {centre.z:R}\n");
+            string comment =
+                FormattableString.Invariant($"comment metres in world space; the centre of the domain is at {centre.x:R} {centre.y:R} ") +
+                FormattableString.Invariant($"{centre.z:R}\n");
             WholeFile.Write(file, stream =>
             {
                 using (var writer = new BinaryWriter(stream))
@@ -74,22 +78,21 @@ namespace SphFluid.Validation
             });
         }
 
-        static string Element(string name, int count, IEnumerable<string> properties)
+        private static string Element(string name, int count, IEnumerable<string> properties)
         {
             var text = new StringBuilder($"element {name} {count}\n");
-            foreach (string property in properties)
-                text.Append("property ").Append(property).Append('\n');
+            foreach (string property in properties) text.Append("property ").Append(property).Append('\n');
             return text.ToString();
         }
 
-        static void Write(BinaryWriter writer, in WorldPoint point)
+        private static void Write(BinaryWriter writer, in WorldPoint point)
         {
             writer.Write(point.X);
             writer.Write(point.Y);
             writer.Write(point.Z);
         }
 
-        static void Write(BinaryWriter writer, Vector3 value)
+        private static void Write(BinaryWriter writer, Vector3 value)
         {
             writer.Write(value.x);
             writer.Write(value.y);

@@ -3,9 +3,9 @@ using System.Collections.Generic;
 namespace SphFluid.Validation
 {
     /// <summary>A file that a measurement writes.</summary>
-    readonly struct ResultFile
+    internal readonly struct ResultFile
     {
-        ResultFile(string name, string firstLine, string script)
+        private ResultFile(string name, string firstLine, string script)
         {
             Name = name;
             FirstLine = firstLine;

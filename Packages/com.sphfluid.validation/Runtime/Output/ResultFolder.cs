@@ -11,22 +11,24 @@ namespace SphFluid.Validation
     /// measurement's columns and a script with its first line count as such, and so do the pictures that the script draws. The user's
     /// own files stay: where one has a name that is needed, nothing is measured.
     /// </summary>
-    sealed class ResultFolder
+    internal sealed class ResultFolder
     {
         /// <summary>The list: a name a line.</summary>
         public const string ListName = ".sphfluid-files";
 
-        /// <summary>Open and locked while a measurement writes to the folder; the system unlocks it when the process ends, however that is.</summary>
+        /// <summary>
+        /// Open and locked while a measurement writes to the folder; the system unlocks it when the process ends, however that is.
+        /// </summary>
         public const string LockName = ".sphfluid-lock";
 
-        const int LongestFirstLine = 10000;
+        private const int LongestFirstLine = 10000;
 
-        readonly string folder;
-        FileStream held;
-        readonly Dictionary<string, ResultFile> files;
-        readonly HashSet<string> listed;
+        private readonly string folder;
+        private FileStream held;
+        private readonly Dictionary<string, ResultFile> files;
+        private readonly HashSet<string> listed;
 
-        ResultFolder(string folder, IEnumerable<ResultFile> files)
+        private ResultFolder(string folder, IEnumerable<ResultFile> files)
         {
             this.folder = folder;
             this.files = files.ToDictionary(f => f.Name);
@@ -54,14 +56,18 @@ namespace SphFluid.Validation
             catch (Exception exception) when (exception is IOException || exception is UnauthorizedAccessException)
             {
                 result?.held?.Dispose();
-                throw new CommandLineException($"--out: the folder '{CommandLineWords.Shown(folder)}' cannot be written: {exception.Message}");
+                throw new CommandLineException(
+                    $"--out: the folder '{CommandLineWords.Shown(folder)}' cannot be written: {exception.Message}");
             }
         }
 
         /// <summary>Lets another of this program's measurements write to the folder.</summary>
         public void Release() => held.Dispose();
 
-        /// <summary>Gives the folder up, and takes names off the list that were not needed, so that a file that gets one of them later is the user's.</summary>
+        /// <summary>
+        /// Gives the folder up, and takes names off the list that were not needed, so that a file that gets one of them later is the
+        /// user's.
+        /// </summary>
         public void Close()
         {
             Release();
@@ -75,7 +81,7 @@ namespace SphFluid.Validation
             }
         }
 
-        void Hold()
+        private void Hold()
         {
             string file = PathOf(LockName);
             try
@@ -84,42 +90,46 @@ namespace SphFluid.Validation
             }
             catch (IOException) when (File.Exists(file))
             {
-                throw new CommandLineException($"--out: another measurement writes to '{CommandLineWords.Shown(folder)}'. Wait for its end, or name another folder.");
+                throw new CommandLineException(
+                    $"--out: another measurement writes to '{CommandLineWords.Shown(folder)}'. Wait for its end, or name another folder.");
             }
         }
 
-        void Refuse()
+        private void Refuse()
         {
             string[] foreign = files.Values.Where(f => !IsOurs(f)).Select(f => f.Name).OrderBy(n => n, StringComparer.Ordinal).ToArray();
             if (foreign.Length == 0)
             {
-                if (listed.Count == 0 && !files.Values.Any(f => File.Exists(PathOf(f.Name))) && Directory.EnumerateFileSystemEntries(folder).Any(e => Path.GetFileName(e) != LockName))
-                    throw new CommandLineException($"--out: '{CommandLineWords.Shown(folder)}' is not empty, and no measurement made it. Name a new folder, or an empty one.");
+                if (listed.Count == 0 && !files.Values.Any(f => File.Exists(PathOf(f.Name))) &&
+                    Directory.EnumerateFileSystemEntries(folder).Any(e => Path.GetFileName(e) != LockName))
+                {
+                    throw new CommandLineException(
+                        $"--out: '{CommandLineWords.Shown(folder)}' is not empty, and no measurement made it. Name a new folder, or an " +
+                        "empty one.");
+                }
                 return;
             }
             string more = foreign.Length > 1 ? $" and {foreign.Length - 1} more" : "";
-            throw new CommandLineException($"--out: '{CommandLineWords.Shown(folder)}' holds {foreign[0]}{more}, which no measurement wrote and this one would replace. " +
+            throw new CommandLineException(
+                $"--out: '{CommandLineWords.Shown(folder)}' holds {foreign[0]}{more}, which no measurement wrote and this one would " +
+                "replace. " +
                 "Name another folder, or move the files away.");
         }
 
         // True where there is none.
-        bool IsOurs(ResultFile file)
+        private bool IsOurs(ResultFile file)
         {
             string path = PathOf(file.Name);
-            if (Directory.Exists(path) || IsBelowAFile(file.Name))
-                return false;
-            if (listed.Contains(file.Name))
-                return true;
-            if (File.Exists(path + WholeFile.Unfinished))
-                return false;
+            if (Directory.Exists(path) || IsBelowAFile(file.Name)) return false;
+            if (listed.Contains(file.Name)) return true;
+            if (File.Exists(path + WholeFile.Unfinished)) return false;
             return !File.Exists(path) || HasFirstLine(file) || file.Script != null && HasFirstLine(files[file.Script]);
         }
 
-        bool HasFirstLine(ResultFile file)
+        private bool HasFirstLine(ResultFile file)
         {
             string path = PathOf(file.Name);
-            if (file.FirstLine == null || !File.Exists(path))
-                return false;
+            if (file.FirstLine == null || !File.Exists(path)) return false;
             using (var reader = new StreamReader(path))
             {
                 var start = new char[Math.Min(LongestFirstLine, file.FirstLine.Length + 1)];
@@ -130,13 +140,13 @@ namespace SphFluid.Validation
         }
 
         // "curves" of "curves/a.csv" is a file.
-        bool IsBelowAFile(string name)
+        private bool IsBelowAFile(string name)
         {
             string parent = Path.GetDirectoryName(name);
             return !string.IsNullOrEmpty(parent) && File.Exists(PathOf(parent));
         }
 
-        void WriteList(IEnumerable<string> names)
+        private void WriteList(IEnumerable<string> names)
         {
             string[] lines = names.OrderBy(n => n, StringComparer.Ordinal).ToArray();
             if (lines.Length > 0)
@@ -145,6 +155,6 @@ namespace SphFluid.Validation
                 File.Delete(PathOf(ListName));
         }
 
-        string PathOf(string name) => Path.Combine(folder, name);
+        private string PathOf(string name) => Path.Combine(folder, name);
     }
 }

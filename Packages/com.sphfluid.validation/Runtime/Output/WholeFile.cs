@@ -3,8 +3,10 @@ using System.IO;
 
 namespace SphFluid.Validation
 {
-    /// <summary>Files that have their name only when they are whole: whoever stops the program, or fills the disk, finds the last whole one.</summary>
-    static class WholeFile
+    /// <summary>
+    /// Files that have their name only when they are whole: whoever stops the program, or fills the disk, finds the last whole one.
+    /// </summary>
+    internal static class WholeFile
     {
         /// <summary>Of a file that is being written.</summary>
         public const string Unfinished = ".tmp";

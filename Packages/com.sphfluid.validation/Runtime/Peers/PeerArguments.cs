@@ -5,14 +5,15 @@ namespace SphFluid.Validation
     /// <summary>Which cases <c>peers</c> gives to PySPH, and where it writes.</summary>
     public sealed class PeerArguments : MeasuringArguments
     {
-        readonly List<PeerCase> cases = new List<PeerCase>();
+        private readonly List<PeerCase> cases = new List<PeerCase>();
 
         internal PeerArguments() : base("peers", "Build/peers")
         {
             AddQuick("each case once, at half of its resolution");
             AddChoice("--case", "these cases", "all of these", cases, PeerCase.All, c => c.Case.Name);
             Options.Add("--python", "FILE", "the Python that has PySPH", PySph.DefaultPython, flag => Python = flag.Value());
-            Options.Add("--chart", "DIR", "the chart with whose methods it is compared", "this device's newest", flag => Chart = flag.Value());
+            Options.Add("--chart", "DIR", "the chart with whose methods it is compared", "this device's newest",
+                flag => Chart = flag.Value());
             AddFolder();
             AddSlice("none");
         }
@@ -32,8 +33,7 @@ namespace SphFluid.Validation
         {
             var result = new PeerArguments();
             result.Read(commandLine);
-            if (result.cases.Count == 0)
-                result.cases.AddRange(PeerCase.All);
+            if (result.cases.Count == 0) result.cases.AddRange(PeerCase.All);
             return result;
         }
     }

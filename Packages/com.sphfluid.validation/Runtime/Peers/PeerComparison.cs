@@ -6,7 +6,7 @@ using System.Linq;
 namespace SphFluid.Validation
 {
     /// <summary>A line of peers-compared.csv: main error and time of a point, of another program or of a method of the chart.</summary>
-    sealed class PeerComparison
+    internal sealed class PeerComparison
     {
         /// <summary>The file.</summary>
         public static readonly TableFormat<PeerComparison> Format = new TableFormat<PeerComparison>("peers-compared.csv")
@@ -20,7 +20,7 @@ namespace SphFluid.Validation
             .Number("ms_per_sim_s", r => r.Milliseconds)
             .Count("runs", r => r.Runs);
 
-        static readonly string[] compared = { "robust", "standard" };
+        private static readonly string[] compared = { "robust", "standard" };
 
         /// <summary>Name of the case.</summary>
         public string Case { get; private set; }
@@ -43,7 +43,9 @@ namespace SphFluid.Validation
         /// <summary>Name of the error.</summary>
         public string ErrorName { get; private set; }
 
-        /// <summary>Time per simulated second: by the clock for another program, of the graphics device for a method of the chart [ms/s].</summary>
+        /// <summary>
+        /// Time per simulated second: by the clock for another program, of the graphics device for a method of the chart [ms/s].
+        /// </summary>
         public double Milliseconds { get; private set; }
 
         /// <summary>Runs of it.</summary>
@@ -52,7 +54,10 @@ namespace SphFluid.Validation
         /// <summary>Whether the point is of a method of the chart.</summary>
         public bool IsOurs => compared.Contains(Method);
 
-        /// <summary>The lines: case by case the runs of another program, then the bases of the chart's methods and what has their constants at other spacings.</summary>
+        /// <summary>
+        /// The lines: case by case the runs of another program, then the bases of the chart's methods and what has their constants at other
+        /// spacings.
+        /// </summary>
         /// <param name="peers">The runs of other programs.</param>
         /// <param name="chart">The lines of a chart.</param>
         public static List<PeerComparison> Of(IReadOnlyList<PeerRow> peers, IReadOnlyList<ChartRow> chart)
@@ -61,8 +66,7 @@ namespace SphFluid.Validation
             foreach (PeerCase peer in PeerCase.All)
             {
                 List<PeerRow> own = peers.Where(r => r.Case == peer.Case.Name && r.ErrorName == peer.Case.ErrorName).ToList();
-                if (own.Count == 0)
-                    continue;
+                if (own.Count == 0) continue;
                 lines.AddRange(own.Select(Line));
                 foreach (string name in compared)
                 {
@@ -81,12 +85,13 @@ namespace SphFluid.Validation
             yield return $"{"case",-12}{"method",-14}{"dx",9}{"c",6}{"particles",11}{"ms/s",12}{"error",10}";
             foreach (PeerComparison line in lines)
             {
-                yield return string.Format(CultureInfo.InvariantCulture, "{0,-12}{1,-14}{2,9:G3}{3,6:G3}{4,11}{5,12:N0}{6,10:G3}  {7}", line.Case, line.Method,
+                yield return string.Format(CultureInfo.InvariantCulture, "{0,-12}{1,-14}{2,9:G3}{3,6:G3}{4,11}{5,12:N0}{6,10:G3}  {7}",
+                    line.Case, line.Method,
                     line.Spacing, line.SoundSpeedRatio, line.Particles, line.Milliseconds, line.Error, line.ErrorName);
             }
         }
 
-        static PeerComparison Line(PeerRow row) => new PeerComparison
+        private static PeerComparison Line(PeerRow row) => new PeerComparison
         {
             Case = row.Case,
             Method = row.Method,
@@ -99,7 +104,7 @@ namespace SphFluid.Validation
             Runs = 1,
         };
 
-        static PeerComparison Line(ChartPoint point) => new PeerComparison
+        private static PeerComparison Line(ChartPoint point) => new PeerComparison
         {
             Case = point.Case,
             Method = point.Method,

@@ -3,7 +3,7 @@ using System;
 namespace SphFluid.Validation
 {
     /// <summary>What another program tells of its run: the line of run.csv.</summary>
-    sealed class PeerFacts
+    internal sealed class PeerFacts
     {
         /// <summary>The file.</summary>
         public static readonly TableFormat<PeerFacts> Format = new TableFormat<PeerFacts>("run.csv")
@@ -34,10 +34,15 @@ namespace SphFluid.Validation
         /// <summary>Time that was reached [s].</summary>
         public double End = double.NaN;
 
-        /// <summary>Time before the first step: particles, and code that is generated and compiled where none is kept from an earlier run [s].</summary>
+        /// <summary>
+        /// Time before the first step: particles, and code that is generated and compiled where none is kept from an earlier run [s].
+        /// </summary>
         public double SetUpSeconds = double.NaN;
 
-        /// <summary>Processor cores that other programs kept busy meanwhile, the median from sample to sample; not a number where the system does not say.</summary>
+        /// <summary>
+        /// Processor cores that other programs kept busy meanwhile, the median from sample to sample; not a number where the system does
+        /// not say.
+        /// </summary>
         public double OtherCores = double.NaN;
 
         /// <summary>Mean length of a step [s].</summary>

@@ -1,11 +1,11 @@
 namespace SphFluid.Validation
 {
     /// <summary>A run of another program: a case, its resolution and its speed of sound.</summary>
-    sealed class PeerPoint
+    internal sealed class PeerPoint
     {
-        const int Seed = 1;
+        private const int Seed = 1;
 
-        CaseSetup setup;
+        private CaseSetup setup;
 
         /// <summary>A run.</summary>
         /// <param name="peer">The case.</param>
@@ -22,7 +22,9 @@ namespace SphFluid.Validation
         /// <summary>The case.</summary>
         public PeerCase Peer { get; }
 
-        /// <summary>The parameters of which the case makes particles and metric: those of the method Standard but for resolution and speed of sound.</summary>
+        /// <summary>
+        /// The parameters of which the case makes particles and metric: those of the method Standard but for resolution and speed of sound.
+        /// </summary>
         public CaseParameters Parameters { get; }
 
         /// <summary>Particles, box, forces and times.</summary>

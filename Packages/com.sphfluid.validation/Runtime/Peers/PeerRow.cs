@@ -4,7 +4,7 @@ using System.Linq;
 namespace SphFluid.Validation
 {
     /// <summary>A line of peers.csv: one error of one run of another program.</summary>
-    sealed class PeerRow : MeasuredRow
+    internal sealed class PeerRow : MeasuredRow
     {
         /// <summary>The file.</summary>
         public static readonly TableFormat<PeerRow> Format = new TableFormat<PeerRow>("peers.csv")
@@ -88,8 +88,10 @@ namespace SphFluid.Validation
         public static PeerRow[] Of(PeerPoint point, PeerFacts facts, in StepTimes times, CaseResult result)
         {
             ValidationCase validationCase = point.Peer.Case;
-            IReadOnlyList<CaseError> errors = result.Errors.Count > 0 ? result.Errors : new[] { new CaseError(validationCase.ErrorName, double.NaN) };
-            (double median, double low, double high) = (times.Median / facts.TimeStep, times.Low / facts.TimeStep, times.High / facts.TimeStep);
+            IReadOnlyList<CaseError> errors = result.Errors.Count > 0 ? result.Errors
+                : new[] { new CaseError(validationCase.ErrorName, double.NaN) };
+            (double median, double low, double high) =
+                (times.Median / facts.TimeStep, times.Low / facts.TimeStep, times.High / facts.TimeStep);
             bool unmeasured = double.IsNaN(errors[0].Value) || double.IsInfinity(errors[0].Value);
             return errors.Select(error => new PeerRow
             {

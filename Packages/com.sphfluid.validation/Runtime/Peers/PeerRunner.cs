@@ -4,11 +4,11 @@ using System.Collections;
 namespace SphFluid.Validation
 {
     /// <summary>Does a run: the case goes to PySPH, and the states that come back go to the case's metric.</summary>
-    sealed class PeerRunner
+    internal sealed class PeerRunner
     {
-        const double WholeRun = 0.999; // of its duration
+        private const double WholeRun = 0.999; // of its duration
 
-        readonly PySph program;
+        private readonly PySph program;
 
         public PeerRunner(PySph program) => this.program = program;
 
@@ -23,7 +23,10 @@ namespace SphFluid.Validation
                 CaseMetric metric = point.Peer.Case.CreateMetric(point.Parameters, point.Setup);
                 CaseResult result = PeerSample.Evaluate(point.Setup, metric, folder.ReadSamples(point.Setup));
                 if (!result.Failed && facts.End < WholeRun * point.Setup.Duration)
-                    result.Failure = FormattableString.Invariant($"it had done {facts.Steps} steps at {facts.End:G3} s: they became too short");
+                {
+                    result.Failure =
+                        FormattableString.Invariant($"it had done {facts.Steps} steps at {facts.End:G3} s: they became too short");
+                }
                 done(PeerRow.Of(point, facts, folder.ReadTimes(), result));
             }
         }

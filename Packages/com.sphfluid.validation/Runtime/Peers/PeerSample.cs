@@ -4,7 +4,7 @@ using System.Collections.Generic;
 namespace SphFluid.Validation
 {
     /// <summary>A state that another program computed.</summary>
-    readonly struct PeerSample
+    internal readonly struct PeerSample
     {
         /// <summary>A state.</summary>
         /// <param name="time">Time since the start [s].</param>
@@ -51,8 +51,7 @@ namespace SphFluid.Validation
                 }
             }
             result.Series = metric.Series();
-            if (!result.Failed)
-                result.Errors = metric.Evaluate();
+            if (!result.Failed) result.Errors = metric.Evaluate();
             return result;
         }
     }

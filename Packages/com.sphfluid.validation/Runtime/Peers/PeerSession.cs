@@ -13,10 +13,10 @@ namespace SphFluid.Validation
         /// <summary>Makes the work of a run, which hands over its lines of the table.</summary>
         internal delegate IEnumerator Runner(PeerPoint point, Action<PeerRow[]> done);
 
-        readonly PeerArguments arguments;
-        readonly Runner runner;
-        readonly ResultTable<PeerRow> table;
-        readonly Func<ChartData> findChart;
+        private readonly PeerArguments arguments;
+        private readonly Runner runner;
+        private readonly ResultTable<PeerRow> table;
+        private readonly Func<ChartData> findChart;
 
         /// <summary>Prepares the runs; nothing is computed yet.</summary>
         /// <param name="arguments">What to run.</param>
@@ -54,13 +54,14 @@ namespace SphFluid.Validation
             }
             List<PeerComparison> lines = PeerComparison.Of(table.Rows, chart.Rows);
             PeerComparison.Format.Write(Folder, lines);
-            foreach (string line in PeerComparison.Lines(lines))
-                Progress.Say(line);
+            foreach (string line in PeerComparison.Lines(lines)) Progress.Say(line);
             string problem = GnuplotScript.Draw(Folder, new GnuplotScript[] { new PeerScript(lines, table.Device, chart.Device) });
-            Progress.Say(problem ?? $"{Path.Combine(Folder, "peers.png")}, peers.svg, {PeerRow.Format.FileName} and {PeerComparison.Format.FileName} are written.");
+            Progress.Say(problem ??
+                $"{Path.Combine(Folder, "peers.png")}, peers.svg, {PeerRow.Format.FileName} and {PeerComparison.Format.FileName} are " +
+                "written.");
         }
 
-        SessionJob Job(PeerPoint point)
+        private SessionJob Job(PeerPoint point)
         {
             PeerRow[] rows = null;
             return new SessionJob(point.ToString(), point.Cost, () => table.Contains(point.Key),
@@ -69,13 +70,16 @@ namespace SphFluid.Validation
                     rows = done;
                     table.Add(done);
                 }),
-                () => Progress.Say(FormattableString.Invariant($"{Done}/{Count}  {point}: ") + (rows[0].Failed ? $"failed: {rows[0].Reason}" : Told(rows[0])) +
+                () =>
+                    Progress.Say(FormattableString.Invariant($"{Done}/{Count}  {point}: ") +
+                        (rows[0].Failed ? $"failed: {rows[0].Reason}" : Told(rows[0])) +
                     TimeLeft(", ")));
         }
 
-        static string Told(PeerRow row) => FormattableString.Invariant($"{row.ErrorName} {row.Error:G3}, {row.WallMsPerSecond:N0} ms by the clock per simulated second");
+        private static string Told(PeerRow row) =>
+            FormattableString.Invariant($"{row.ErrorName} {row.Error:G3}, {row.WallMsPerSecond:N0} ms by the clock per simulated second");
 
-        static ChartData FindChart(PeerArguments arguments) => arguments.Chart != null ? ChartData.Read(arguments.Chart)
+        private static ChartData FindChart(PeerArguments arguments) => arguments.Chart != null ? ChartData.Read(arguments.Chart)
             : ChartData.Newest(Path.GetDirectoryName(Application.dataPath), SystemInfo.graphicsDeviceName, null);
     }
 }

@@ -1,18 +1,21 @@
 namespace SphFluid.Validation
 {
     /// <summary>Shows on the console how a liquid comes to rest, once that takes longer than two seconds.</summary>
-    sealed class ConsoleStartWatcher : IFluidStartWatcher
+    internal sealed class ConsoleStartWatcher : IFluidStartWatcher
     {
-        const double SilentSeconds = 2.0;
+        private const double SilentSeconds = 2.0;
 
-        readonly SessionProgress progress;
+        private readonly SessionProgress progress;
 
         public ConsoleStartWatcher(SessionProgress progress) => this.progress = progress;
 
         public bool Continue(FluidSimulation simulation, FluidStartProgress start)
         {
             if (start.Seconds > SilentSeconds)
-                progress.Show(start.Share, System.TimeSpan.FromSeconds(start.SecondsLeft), $"'{simulation.name}' comes to rest, {start.Steps} steps");
+            {
+                progress.Show(start.Share, System.TimeSpan.FromSeconds(start.SecondsLeft),
+                    $"'{simulation.name}' comes to rest, {start.Steps} steps");
+            }
             return true;
         }
 

@@ -7,13 +7,13 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>What the instruments of a scene read in each frame: columns of the record, and curves.</summary>
-    sealed class InstrumentRecord
+    internal sealed class InstrumentRecord
     {
-        readonly List<FluidInstrument> order = new List<FluidInstrument>();
-        readonly Dictionary<FluidInstrument, string> names = new Dictionary<FluidInstrument, string>();
-        readonly Dictionary<string, InstrumentCurve> curves = new Dictionary<string, InstrumentCurve>();
-        readonly List<InstrumentCurve> inOrder = new List<InstrumentCurve>();
-        int rows;
+        private readonly List<FluidInstrument> order = new List<FluidInstrument>();
+        private readonly Dictionary<FluidInstrument, string> names = new Dictionary<FluidInstrument, string>();
+        private readonly Dictionary<string, InstrumentCurve> curves = new Dictionary<string, InstrumentCurve>();
+        private readonly List<InstrumentCurve> inOrder = new List<InstrumentCurve>();
+        private int rows;
 
         /// <summary>The curves, in the order of their first reading; values of rows without one are not numbers.</summary>
         public IReadOnlyList<InstrumentCurve> Curves => inOrder;
@@ -48,18 +48,18 @@ namespace SphFluid.Validation
             if (inOrder.Count == 0) return;
             string[] lines = File.ReadAllLines(file);
             lines[0] += "," + string.Join(",", inOrder.Select(c => c.Column));
-            for (int i = 1; i < lines.Length; i++)
-                lines[i] += "," + string.Join(",", inOrder.Select(c => Cell(c.At(i - 1))));
+            for (int i = 1; i < lines.Length; i++) lines[i] += "," + string.Join(",", inOrder.Select(c => Cell(c.At(i - 1))));
             CsvText.WriteWhole(file, lines);
         }
 
-        static string Cell(double value) => double.IsNaN(value) ? "" : value.ToString("R", CultureInfo.InvariantCulture);
+        private static string Cell(double value) => double.IsNaN(value) ? "" : value.ToString("R", CultureInfo.InvariantCulture);
 
         // Names of objects may be equal, and hold what a table cannot.
-        string NameOf(FluidInstrument instrument)
+        private string NameOf(FluidInstrument instrument)
         {
             if (names.TryGetValue(instrument, out string name)) return name;
-            string plain = new string(instrument.name.Select(c => c == ',' || c == '"' || c == '\'' || char.IsControl(c) ? '_' : c).ToArray()).Trim();
+            string plain =
+                new string(instrument.name.Select(c => c == ',' || c == '"' || c == '\'' || char.IsControl(c) ? '_' : c).ToArray()).Trim();
             name = plain;
             for (int number = 2; names.ContainsValue(name); number++) name = $"{plain} {number}";
             names.Add(instrument, name);
@@ -68,10 +68,10 @@ namespace SphFluid.Validation
     }
 
     /// <summary>What one instrument read of one quantity.</summary>
-    sealed class InstrumentCurve
+    internal sealed class InstrumentCurve
     {
-        readonly int firstRow;
-        readonly List<(double Time, double Value)> points = new List<(double Time, double Value)>();
+        private readonly int firstRow;
+        private readonly List<(double Time, double Value)> points = new List<(double Time, double Value)>();
 
         public InstrumentCurve(string column, string instrument, FluidReading reading, int firstRow)
         {

@@ -4,13 +4,13 @@ using System.Linq;
 namespace SphFluid.Validation
 {
     /// <summary>The gnuplot script of a record's instruments: a panel a quantity, over the liquid's time.</summary>
-    sealed class InstrumentScript : GnuplotScript
+    internal sealed class InstrumentScript : GnuplotScript
     {
-        const int PanelHeight = 260;
+        private const int PanelHeight = 260;
 
-        static readonly string[] Colours = { "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000" };
+        private static readonly string[] Colours = { "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000" };
 
-        readonly List<List<InstrumentCurve>> panels;
+        private readonly List<List<InstrumentCurve>> panels;
 
         /// <param name="stem">Name of the script and its pictures without ending.</param>
         /// <param name="curves">What was read.</param>
@@ -30,7 +30,7 @@ namespace SphFluid.Validation
             return blocks.Concat(InSvgAndPng($"900,{60 + PanelHeight * panels.Count}", 13, 10, Drawing(all)));
         }
 
-        IEnumerable<string> Drawing(List<InstrumentCurve> all)
+        private IEnumerable<string> Drawing(List<InstrumentCurve> all)
         {
             yield return $"set multiplot layout {panels.Count},1";
             yield return "set grid lt 1 lc rgb '#E8E8E8' lw 0.7";
@@ -44,16 +44,18 @@ namespace SphFluid.Validation
             {
                 yield return $"set ylabel {Gnuplot.Quote($"{Title(panel[0])} [{panel[0].Unit}]")}";
                 yield return Plot(panel.Select((curve, i) =>
-                    $"$curve{all.IndexOf(curve)} using 1:2 with lines lw 1.5 lc rgb '{Colours[i % Colours.Length]}' dt {1 + i / Colours.Length} title {Gnuplot.Quote(curve.Instrument)}"));
+                    $"$curve{all.IndexOf(curve)} using 1:2 with lines lw 1.5 lc rgb '{Colours[i % Colours.Length]}' dt " +
+                    $"{1 + i / Colours.Length} title {Gnuplot.Quote(curve.Instrument)}"));
             }
             yield return "unset multiplot";
         }
 
         // peak_pressure_pa: peak pressure.
-        static string Title(InstrumentCurve curve)
+        private static string Title(InstrumentCurve curve)
         {
             string unit = "_" + curve.Unit.Replace("³", "3").Replace("/", "_").ToLowerInvariant();
-            string name = curve.Quantity.EndsWith(unit, System.StringComparison.Ordinal) ? curve.Quantity.Substring(0, curve.Quantity.Length - unit.Length) : curve.Quantity;
+            string name = curve.Quantity.EndsWith(unit, System.StringComparison.Ordinal)
+                ? curve.Quantity.Substring(0, curve.Quantity.Length - unit.Length) : curve.Quantity;
             return name.Replace('_', ' ');
         }
     }

@@ -6,7 +6,7 @@ using UnityEngine.SceneManagement;
 namespace SphFluid.Validation
 {
     /// <summary>What the loaded scenes hold.</summary>
-    static class LoadedScenes
+    internal static class LoadedScenes
     {
         /// <summary>Their components of a kind, in the order of the hierarchy.</summary>
         /// <typeparam name="T">The kind.</typeparam>

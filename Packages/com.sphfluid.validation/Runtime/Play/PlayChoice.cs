@@ -3,14 +3,13 @@ using System.Collections.Generic;
 namespace SphFluid.Validation
 {
     /// <summary>What the method Automatic has picked, as summary.json has it.</summary>
-    static class PlayChoice
+    internal static class PlayChoice
     {
         /// <summary>The pick, its reason and what else was considered.</summary>
         public static JsonObject Of(FluidMethodChoice choice)
         {
             var considered = new List<JsonObject>();
-            foreach (FluidMethodCandidate candidate in choice.Considered)
-                considered.Add(Of(candidate));
+            foreach (FluidMethodCandidate candidate in choice.Considered) considered.Add(Of(candidate));
             return new JsonObject()
                 .Add("reason", choice.Reason)
                 .Add("fits_budget", choice.FitsBudget ? 1 : 0)
@@ -25,7 +24,7 @@ namespace SphFluid.Validation
         /// <summary>A method's name, as flags have it.</summary>
         public static string NameOf(FluidMethodKind method) => $"{method}".ToLowerInvariant();
 
-        static JsonObject Of(in FluidMethodCandidate candidate) => new JsonObject()
+        private static JsonObject Of(in FluidMethodCandidate candidate) => new JsonObject()
             .Add("method", NameOf(candidate.Method))
             .Add("max_compression", candidate.MaxCompression)
             .Add("sound_speed_m_s", candidate.SoundSpeed)

@@ -7,26 +7,29 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>Changes every simulation of the loaded scenes as the command line asks, before they start.</summary>
-    static class PlayOverrides
+    internal static class PlayOverrides
     {
         public static void Apply(PlayArguments arguments, IReadOnlyList<FluidSimulation> simulations)
         {
-            if (arguments.Sequence != null)
-                SetSequence(arguments.Sequence, simulations);
+            if (arguments.Sequence != null) SetSequence(arguments.Sequence, simulations);
             if (arguments.Budget != null && !simulations.Any(s => (arguments.Method ?? s.Method) == FluidMethodKind.Automatic))
-                throw new CommandLineException("--budget acts with --method automatic only, and no liquid of the scene has that method; give --method automatic, or no budget.");
+            {
+                throw new CommandLineException(
+                    "--budget acts with --method automatic only, and no liquid of the scene has that method; give --method automatic, or " +
+                    "no budget.");
+            }
             foreach (FluidSimulation simulation in simulations)
             {
-                if (arguments.Method is FluidMethodKind method)
-                    simulation.Method = method;
-                if (arguments.Budget is float budget)
-                    simulation.FrameBudget = budget;
-                if (arguments.Particles is int count)
-                    SetParticles(simulation, count);
-                if (arguments.Seed is int seed)
-                    simulation.Seed = seed;
+                if (arguments.Method is FluidMethodKind method) simulation.Method = method;
+                if (arguments.Budget is float budget) simulation.FrameBudget = budget;
+                if (arguments.Particles is int count) SetParticles(simulation, count);
+                if (arguments.Seed is int seed) simulation.Seed = seed;
                 if (arguments.Surface == "none")
-                    Debug.Log($"{FluidMessage.Prefix} '{simulation.name}': --surface none: pictures show the scene without this liquid. --no-images makes none.");
+                {
+                    Debug.Log(
+                        $"{FluidMessage.Prefix} '{simulation.name}': --surface none: pictures show the scene without this liquid. " +
+                        "--no-images makes none.");
+                }
                 if (arguments.Surface != null)
                     SetSurface(simulation, arguments.Surface);
                 else if (SurfaceOf(simulation) == "none")
@@ -35,39 +38,41 @@ namespace SphFluid.Validation
         }
 
         // One sequence is one liquid, of the spacing and in the domain that it was made with; the floor of the domain stays where it is.
-        static void SetSequence(string folder, IReadOnlyList<FluidSimulation> simulations)
+        private static void SetSequence(string folder, IReadOnlyList<FluidSimulation> simulations)
         {
             if (simulations.Count != 1)
-                throw new CommandLineException($"--sequence plays one liquid, and the scene has {simulations.Count} Fluid Simulations that are enabled.");
+            {
+                throw new CommandLineException(
+                    $"--sequence plays one liquid, and the scene has {simulations.Count} Fluid Simulations that are enabled.");
+            }
             FluidSimulation simulation = simulations[0];
-            if (!simulation.TryGetComponent(out FluidPlayback playback))
-                playback = simulation.gameObject.AddComponent<FluidPlayback>();
+            if (!simulation.TryGetComponent(out FluidPlayback playback)) playback = simulation.gameObject.AddComponent<FluidPlayback>();
             playback.Folder = Path.GetFullPath(folder);
             playback.enabled = true;
-            if (!playback.Reload())
-                throw new CommandLineException($"--sequence: {playback.Problem?.Text} {playback.Problem?.Cure}");
+            if (!playback.Reload()) throw new CommandLineException($"--sequence: {playback.Problem?.Text} {playback.Problem?.Cure}");
             float spacing = playback.SequenceSpacing;
             Vector3 size = playback.SequenceDomainSize, before = simulation.DomainSize;
-            if (spacing == 0f || spacing == simulation.Spacing && size == before)
-                return;
+            if (spacing == 0f || spacing == simulation.Spacing && size == before) return;
             Debug.Log(FormattableString.Invariant(
-                $"{FluidMessage.Prefix} '{simulation.name}': the sequence was made with a spacing of {spacing} m in a domain of {size.x} × {size.y} × {size.z} m, so the scene's {simulation.Spacing} m and {before.x} × {before.y} × {before.z} m give way to these."));
+                $"{FluidMessage.Prefix} '{simulation.name}': the sequence was made with a spacing of {spacing} m in a domain of ") +
+                FormattableString.Invariant($"{size.x} × {size.y} × {size.z} m, so the scene's {simulation.Spacing} m and {before.x} × ") +
+                FormattableString.Invariant($"{before.y} × {before.z} m give way to these."));
             simulation.Spacing = spacing;
             simulation.DomainSize = size;
             simulation.transform.position += simulation.transform.rotation * new Vector3(0f, 0.5f * (size.y - before.y), 0f);
         }
 
-        static void WarnUndrawn(FluidSimulation simulation) => Debug.LogWarning(
+        private static void WarnUndrawn(FluidSimulation simulation) => Debug.LogWarning(
             $"{FluidMessage.Prefix} '{simulation.name}': No component draws this liquid: pictures show the scene without it. " +
-            "Give --surface marching-cubes, or add a Fluid Surface Renderer to the object; --surface none says that it is meant.", simulation);
+            "Give --surface marching-cubes, or add a Fluid Surface Renderer to the object; --surface none says that it is meant.",
+            simulation);
 
         /// <summary>What draws a simulation now, in the words of --surface.</summary>
         public static string SurfaceOf(FluidSimulation simulation)
         {
             foreach (FluidView view in ViewsOf(simulation))
             {
-                if (view.isActiveAndEnabled)
-                    return NameOf(view);
+                if (view.isActiveAndEnabled) return NameOf(view);
             }
             return "none";
         }
@@ -77,7 +82,7 @@ namespace SphFluid.Validation
             LoadedScenes.Find<FluidView>(includeInactive: true).Where(v => v.Simulation == simulation);
 
         // Before a lattice is made: one of far too many sites would take minutes.
-        static void SetParticles(FluidSimulation simulation, int count)
+        private static void SetParticles(FluidSimulation simulation, int count)
         {
             long most = simulation.ParticleLimit;
             if (count > most)
@@ -97,19 +102,16 @@ namespace SphFluid.Validation
             }
         }
 
-        static string NameOf(FluidView view)
+        private static string NameOf(FluidView view)
         {
-            if (view is FluidParticleRenderer)
-                return "particles";
-            if (!(view is FluidGeometrySurfaceRenderer thesis) || thesis.UsesFallback)
-                return "marching-cubes";
+            if (view is FluidParticleRenderer) return "particles";
+            if (!(view is FluidGeometrySurfaceRenderer thesis) || thesis.UsesFallback) return "marching-cubes";
             return thesis.Style == FluidSurfaceStyle.Cubes ? "cubes" : "marching-cubes-gs";
         }
 
-        static void SetSurface(FluidSimulation simulation, string surface)
+        private static void SetSurface(FluidSimulation simulation, string surface)
         {
-            foreach (FluidView view in ViewsOf(simulation))
-                view.enabled = false;
+            foreach (FluidView view in ViewsOf(simulation)) view.enabled = false;
             if (surface == "particles")
                 Enable<FluidParticleRenderer>(simulation);
             else if (surface == "marching-cubes")
@@ -120,7 +122,7 @@ namespace SphFluid.Validation
                 Enable<FluidGeometrySurfaceRenderer>(simulation).Style = FluidSurfaceStyle.MarchingCubes;
         }
 
-        static T Enable<T>(FluidSimulation simulation) where T : FluidView
+        private static T Enable<T>(FluidSimulation simulation) where T : FluidView
         {
             foreach (FluidView view in ViewsOf(simulation))
             {

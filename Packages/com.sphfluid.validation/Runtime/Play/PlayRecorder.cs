@@ -9,24 +9,25 @@ namespace SphFluid.Validation
     /// <summary>Watches the simulations while a scene is played, and writes the liquid's part of the results at the end.</summary>
     [AddComponentMenu("")]
     [DefaultExecutionOrder(200)]
-    sealed class PlayRecorder : MonoBehaviour
+    internal sealed class PlayRecorder : MonoBehaviour
     {
         /// <summary>Columns of --record behind the frame's number.</summary>
         internal static readonly string[] RecordColumns =
         {
-            "time_s", "simulation", "steps", "max_speed_m_s", "rms_speed_m_s", "density_error_mean", "density_error_max", "kinetic_energy_j",
+            "time_s", "simulation", "steps", "max_speed_m_s", "rms_speed_m_s", "density_error_mean", "density_error_max",
+            "kinetic_energy_j",
             "centre_x_m", "centre_y_m", "centre_z_m", "close_share", "nearest_over_dx",
         };
 
-        readonly FrameTable frames = new FrameTable("steps", "particles");
-        readonly FrameTable record = new FrameTable(RecordColumns);
-        readonly InstrumentRecord instruments = new InstrumentRecord();
-        readonly Dictionary<FluidSimulation, SurfaceCaps> surfaces = new Dictionary<FluidSimulation, SurfaceCaps>();
-        readonly Dictionary<FluidSimulation, ColliderSides> sides = new Dictionary<FluidSimulation, ColliderSides>();
-        readonly PlaySequences sequences = new PlaySequences();
-        PlayArguments arguments;
-        long stepsBefore;
-        bool watched, seen;
+        private readonly FrameTable frames = new FrameTable("steps", "particles");
+        private readonly FrameTable record = new FrameTable(RecordColumns);
+        private readonly InstrumentRecord instruments = new InstrumentRecord();
+        private readonly Dictionary<FluidSimulation, SurfaceCaps> surfaces = new Dictionary<FluidSimulation, SurfaceCaps>();
+        private readonly Dictionary<FluidSimulation, ColliderSides> sides = new Dictionary<FluidSimulation, ColliderSides>();
+        private readonly PlaySequences sequences = new PlaySequences();
+        private PlayArguments arguments;
+        private long stepsBefore;
+        private bool watched, seen;
 
         public static void Begin(PlayArguments arguments)
         {
@@ -35,11 +36,11 @@ namespace SphFluid.Validation
             holder.AddComponent<PlayRecorder>().arguments = arguments;
         }
 
-        void OnEnable() => Application.quitting += Finish;
+        private void OnEnable() => Application.quitting += Finish;
 
-        void OnDisable() => Application.quitting -= Finish;
+        private void OnDisable() => Application.quitting -= Finish;
 
-        void LateUpdate()
+        private void LateUpdate()
         {
             long steps = 0, particles = 0;
             IReadOnlyList<FluidSimulation> simulations = FluidSimulation.Active;
@@ -49,25 +50,32 @@ namespace SphFluid.Validation
             {
                 steps += simulations[i].StepCount;
                 particles += simulations[i].ParticleCount;
-                if (!surfaces.TryGetValue(simulations[i], out SurfaceCaps caps))
-                    surfaces.Add(simulations[i], caps = new SurfaceCaps());
+                if (!surfaces.TryGetValue(simulations[i], out SurfaceCaps caps)) surfaces.Add(simulations[i], caps = new SurfaceCaps());
                 caps.Observe(PlaySurface.StatusOf(simulations[i]));
-                if (simulations[i].IsRunning && !(sides.TryGetValue(simulations[i], out ColliderSides known) && known.AreOf(simulations[i])))
+                if (simulations[i].IsRunning &&
+                    !(sides.TryGetValue(simulations[i], out ColliderSides known) && known.AreOf(simulations[i])))
+                {
                     sides[simulations[i]] = ColliderSides.Of(simulations[i], FluidSnapshot.Read(simulations[i]));
-                if (arguments.RecordFile != null && simulations[i].IsRunning)
-                    Record(i, simulations[i]);
+                }
+                if (arguments.RecordFile != null && simulations[i].IsRunning) Record(i, simulations[i]);
                 if (arguments.SequenceFolder != null && simulations[i].IsRunning)
+                {
                     sequences.Write(i, simulations[i], arguments.SequenceFolder);
+                }
             }
             frames.Add(steps - stepsBefore, particles);
             stepsBefore = steps;
             if (simulations.Count > 0 && simulations.All(IsRefused))
-                CommandLine.Fail("play", "no liquid is left to play: all of the scene's were refused or have stopped, see above.", CommandLine.FailureExitCode);
+            {
+                CommandLine.Fail("play", "no liquid is left to play: all of the scene's were refused or have stopped, see above.",
+                    CommandLine.FailureExitCode);
+            }
         }
 
-        static bool IsRefused(FluidSimulation simulation) => !simulation.IsRunning && simulation.Messages.Any(m => m.Severity == FluidSeverity.Error);
+        private static bool IsRefused(FluidSimulation simulation) => !simulation.IsRunning &&
+            simulation.Messages.Any(m => m.Severity == FluidSeverity.Error);
 
-        void Record(int index, FluidSimulation simulation)
+        private void Record(int index, FluidSimulation simulation)
         {
             FluidSnapshot snapshot = FluidSnapshot.Read(simulation);
             SnapshotStatistics s = SnapshotStatistics.Of(snapshot, simulation.Solver.Settings);
@@ -78,23 +86,27 @@ namespace SphFluid.Validation
             instruments.AddRow(simulation);
         }
 
-        void Finish()
+        private void Finish()
         {
             Application.quitting -= Finish;
             if (watched && !seen)
-                Debug.LogError($"{FluidMessage.Prefix} No liquid was played: no Fluid Simulation was enabled in the scene. Add one: GameObject > Fluid > Tank.");
+            {
+                Debug.LogError(
+                    $"{FluidMessage.Prefix} No liquid was played: no Fluid Simulation was enabled in the scene. Add one: GameObject > " +
+                    "Fluid > Tank.");
+            }
             try
             {
                 sequences.Finish();
                 var running = new List<FluidSimulation>();
                 foreach (FluidSimulation simulation in FluidSimulation.Active)
                 {
-                    if (simulation.IsRunning)
-                        running.Add(simulation);
+                    if (simulation.IsRunning) running.Add(simulation);
                 }
                 new PlayResults(arguments, running, surfaces, sides).Write(frames, record, instruments);
             }
-            catch (Exception exception) when (exception is IOException || exception is UnauthorizedAccessException || exception is InvalidDataException)
+            catch (Exception exception) when (exception is IOException || exception is UnauthorizedAccessException ||
+                exception is InvalidDataException)
             {
                 Debug.LogError($"{FluidMessage.Prefix} The results of the liquid could not be written: {exception.Message}");
             }

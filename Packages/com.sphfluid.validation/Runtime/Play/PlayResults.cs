@@ -5,18 +5,19 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>The files at the end of a play: particles, surface, the liquid's part of timings.csv and summary.json.</summary>
-    sealed class PlayResults
+    internal sealed class PlayResults
     {
-        readonly PlayArguments arguments;
-        readonly IReadOnlyList<FluidSimulation> simulations;
-        readonly IReadOnlyDictionary<FluidSimulation, SurfaceCaps> surfaces;
-        readonly IReadOnlyDictionary<FluidSimulation, ColliderSides> sides;
+        private readonly PlayArguments arguments;
+        private readonly IReadOnlyList<FluidSimulation> simulations;
+        private readonly IReadOnlyDictionary<FluidSimulation, SurfaceCaps> surfaces;
+        private readonly IReadOnlyDictionary<FluidSimulation, ColliderSides> sides;
 
         /// <param name="arguments">What to write.</param>
         /// <param name="simulations">The simulations.</param>
         /// <param name="surfaces">What the surfaces of simulations that were watched could not do.</param>
         /// <param name="sides">On which side of colliders the particles of simulations that were watched began.</param>
-        public PlayResults(PlayArguments arguments, IReadOnlyList<FluidSimulation> simulations, IReadOnlyDictionary<FluidSimulation, SurfaceCaps> surfaces,
+        public PlayResults(PlayArguments arguments, IReadOnlyList<FluidSimulation> simulations,
+            IReadOnlyDictionary<FluidSimulation, SurfaceCaps> surfaces,
             IReadOnlyDictionary<FluidSimulation, ColliderSides> sides)
         {
             this.sides = sides;
@@ -32,15 +33,11 @@ namespace SphFluid.Validation
             {
                 FluidSnapshot snapshot = FluidSnapshot.Read(simulations[i]);
                 summaries.Add(Summary(simulations[i], snapshot));
-                if (arguments.StateFile != null)
-                    PlyWriter.WriteParticles(FileOf(arguments.StateFile, i), snapshot);
-                if (arguments.MeshFile != null)
-                    WriteMesh(FileOf(arguments.MeshFile, i), simulations[i]);
+                if (arguments.StateFile != null) PlyWriter.WriteParticles(FileOf(arguments.StateFile, i), snapshot);
+                if (arguments.MeshFile != null) WriteMesh(FileOf(arguments.MeshFile, i), simulations[i]);
             }
-            if (arguments.RecordFile != null)
-                WriteRecord(record, instruments);
-            if (arguments.OutputFolder == null)
-                return;
+            if (arguments.RecordFile != null) WriteRecord(record, instruments);
+            if (arguments.OutputFolder == null) return;
             Directory.CreateDirectory(arguments.OutputFolder);
             JsonObject all = summaries.Count == 1 ? summaries[0] : new JsonObject().Add("simulations", summaries);
             all.AppendTo(Path.Combine(arguments.OutputFolder, "summary.json"));
@@ -52,26 +49,29 @@ namespace SphFluid.Validation
         }
 
         // Pictures of what instruments read stand beside the table.
-        void WriteRecord(FrameTable record, InstrumentRecord instruments)
+        private void WriteRecord(FrameTable record, InstrumentRecord instruments)
         {
             string file = Path.GetFullPath(arguments.RecordFile);
             record.Write(file);
             instruments.AppendTo(file);
             var plot = new InstrumentScript(Path.GetFileNameWithoutExtension(file) + "-instruments", instruments.Curves);
             if (!plot.IsEmpty && GnuplotScript.Draw(Path.GetDirectoryName(file), new[] { plot }) is string problem)
+            {
                 Debug.LogWarning($"{FluidMessage.Prefix} {problem}");
+            }
         }
 
         // With several simulations the files are name.ply, name.1.ply, name.2.ply, ...
-        string FileOf(string file, int index) => index == 0 ? file : Path.ChangeExtension(file, $".{index}{Path.GetExtension(file)}");
+        private string FileOf(string file, int index) => index == 0 ? file
+            : Path.ChangeExtension(file, $".{index}{Path.GetExtension(file)}");
 
-        static void WriteMesh(string file, FluidSimulation simulation)
+        private static void WriteMesh(string file, FluidSimulation simulation)
         {
             SurfaceMesh mesh = PlaySurface.Extract(simulation);
             PlyWriter.WriteMesh(file, mesh, simulation.LocalToWorld);
         }
 
-        JsonObject Summary(FluidSimulation simulation, FluidSnapshot snapshot)
+        private JsonObject Summary(FluidSimulation simulation, FluidSnapshot snapshot)
         {
             FluidSolverSettings settings = simulation.Solver.Settings;
             SnapshotStatistics statistics = SnapshotStatistics.Of(snapshot, settings);
@@ -80,7 +80,8 @@ namespace SphFluid.Validation
             ColliderPenetration penetration = ColliderPenetration.Of(simulation, snapshot);
             LiquidVolume volume = LiquidVolume.Of(simulation, snapshot);
             FluidCounters counters = simulation.Solver.ReadCountersNow();
-            int throughColliders = sides.TryGetValue(simulation, out ColliderSides start) && start.AreOf(simulation) ? start.CountChanged(simulation, snapshot) : 0;
+            int throughColliders = sides.TryGetValue(simulation, out ColliderSides start) &&
+                start.AreOf(simulation) ? start.CountChanged(simulation, snapshot) : 0;
             SurfaceCaps surface = surfaces.TryGetValue(simulation, out SurfaceCaps watched) ? watched : new SurfaceCaps();
             var summary = new JsonObject()
                 .Add("simulation", simulation.name)
@@ -119,12 +120,14 @@ namespace SphFluid.Validation
                 .Add("fluid_gpu_bytes", simulation.GpuBytes + PlaySurface.GpuBytesOf(simulation))
                 .Add("state_hash", snapshot.Hash);
             if (simulation.IsPlayedBack && simulation.TryGetComponent(out FluidPlayback playback))
+            {
                 summary.Add("sequence", new JsonObject()
                     .Add("source", playback.Source)
                     .Add("frames", playback.FrameCount)
                     .Add("frame", playback.CurrentFrame)
                     .Add("left_out_particles", playback.LeftOutParticles)
                     .Add("memory_bytes", playback.MemoryBytes));
+            }
             return simulation.MethodChoice == null ? summary : summary.Add("method_choice", PlayChoice.Of(simulation.MethodChoice));
         }
     }

@@ -1,9 +1,12 @@
 namespace SphFluid.Validation
 {
     /// <summary>The surface of a simulation in a play.</summary>
-    static class PlaySurface
+    internal static class PlaySurface
     {
-        /// <summary>The surface in simulation space, made as the scene's component makes it; without one as a Fluid Surface Renderer does by default. Waits for the GPU.</summary>
+        /// <summary>
+        /// The surface in simulation space, made as the scene's component makes it; without one as a Fluid Surface Renderer does by
+        /// default. Waits for the GPU.
+        /// </summary>
         /// <exception cref="FluidDeviceException">The device has too little memory for it.</exception>
         public static SurfaceMesh Extract(FluidSimulation simulation)
         {
@@ -50,17 +53,14 @@ namespace SphFluid.Validation
         }
 
         // The component that makes the surface, or would if it were enabled; null where the scene has none.
-        static FluidView Maker(FluidSimulation simulation)
+        private static FluidView Maker(FluidSimulation simulation)
         {
             FluidView disabled = null;
             foreach (FluidView view in PlayOverrides.ViewsOf(simulation))
             {
-                if (view is FluidParticleRenderer)
-                    continue;
-                if (view.isActiveAndEnabled)
-                    return view;
-                if (disabled == null)
-                    disabled = view;
+                if (view is FluidParticleRenderer) continue;
+                if (view.isActiveAndEnabled) return view;
+                if (disabled == null) disabled = view;
             }
             return disabled;
         }

@@ -35,20 +35,11 @@ namespace SphFluid.Validation
 
         public void Execute()
         {
-            for (int c = 0; c < First.Length; c++)
-            {
-                First[c] = 0;
-            }
+            for (int c = 0; c < First.Length; c++) First[c] = 0;
 
-            for (int i = 0; i < Cells.Length; i++)
-            {
-                First[Cells[i] + 1] += 1;
-            }
+            for (int i = 0; i < Cells.Length; i++) First[Cells[i] + 1] += 1;
 
-            for (int c = 1; c < First.Length; c++)
-            {
-                First[c] += First[c - 1];
-            }
+            for (int c = 1; c < First.Length; c++) First[c] += First[c - 1];
 
             // Filling a cell moves its start to its end, the start of the next: one place back restores all.
             for (int i = 0; i < Cells.Length; i++)
@@ -58,10 +49,7 @@ namespace SphFluid.Validation
                 First[cell] += 1;
             }
 
-            for (int c = First.Length - 1; c > 0; c--)
-            {
-                First[c] = First[c - 1];
-            }
+            for (int c = First.Length - 1; c > 0; c--) First[c] = First[c - 1];
 
             First[0] = 0;
         }

@@ -3,7 +3,9 @@ using Unity.Mathematics;
 
 namespace SphFluid.Validation
 {
-    /// <summary>The thesis's CollisionForce (6.3.3) per unit mass [m/s²]: Shaders/Solver/Thesis/CollisionForce.hlsl in double precision.</summary>
+    /// <summary>
+    /// The thesis's CollisionForce (6.3.3) per unit mass [m/s²]: Shaders/Solver/Thesis/CollisionForce.hlsl in double precision.
+    /// </summary>
     internal struct CpuCollision
     {
         public double3 HalfSize;
@@ -40,18 +42,18 @@ namespace SphFluid.Validation
             return force + drag;
         }
 
-        double3 WallForce(double3 normal, double distance, double3 velocity)
+        private double3 WallForce(double3 normal, double distance, double3 velocity)
         {
             return normal * Push(distance, math.dot(velocity, normal));
         }
 
         // Damped spring that only pushes.
-        double Push(double distance, double speedAway)
+        private double Push(double distance, double speedAway)
         {
             return distance < WallDistance ? math.max(WallStiffness * (WallDistance - distance) - WallDamping * speedAway, 0.0) : 0.0;
         }
 
-        double3 DomainForce(double3 p, double3 v)
+        private double3 DomainForce(double3 p, double3 v)
         {
             return Drag.Period.WhereWalls(new double3(
                 Push(p.x + HalfSize.x, v.x) - Push(HalfSize.x - p.x, -v.x),
@@ -60,7 +62,7 @@ namespace SphFluid.Validation
         }
 
         // Faces whose prism holds the particle add up; edges and vertices count where no face does, the nearest alone.
-        double3 MeshForce(in CpuMesh mesh, double3 position, double3 velocity, double reach, ref double3 drag)
+        private double3 MeshForce(in CpuMesh mesh, double3 position, double3 velocity, double reach, ref double3 drag)
         {
             double range = mesh.Closed ? math.max(WallReach, reach) : reach;
             double3 move = velocity * TimeStep;
@@ -78,10 +80,7 @@ namespace SphFluid.Validation
                 double3 unscaled = math.cross(triangle.B - triangle.A, triangle.C - triangle.A);
                 double3 normal = unscaled / math.sqrt(math.max(math.dot(unscaled, unscaled), 1e-30));
                 double height = math.dot(position - triangle.A, normal);
-                if (math.abs(height) >= range)
-                {
-                    continue;
-                }
+                if (math.abs(height) >= range) continue;
 
                 double side = mesh.Closed || height >= 0.0 ? 1.0 : -1.0;
                 double fraction = triangle.SegmentFraction(position, move);

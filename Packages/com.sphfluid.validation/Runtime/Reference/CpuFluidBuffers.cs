@@ -7,8 +7,8 @@ namespace SphFluid.Validation
     /// <summary>The arrays of a <see cref="CpuFluidSolver"/>, named as those of the solver on the GPU.</summary>
     internal sealed class CpuFluidBuffers : IDisposable
     {
-        NativeArray<long> totals;
-        NativeArray<double> maxima;
+        private NativeArray<long> totals;
+        private NativeArray<double> maxima;
 
         public CpuFluidBuffers(FluidParticle[] particles, int cellCount)
         {
@@ -26,10 +26,7 @@ namespace SphFluid.Validation
             totals = new NativeArray<long>(3, Allocator.Persistent);
             maxima = new NativeArray<double>(2, Allocator.Persistent);
             NativeArray<CpuFluidParticle> target = Particles;
-            for (int i = 0; i < count; i++)
-            {
-                target[i] = new CpuFluidParticle(particles[i]);
-            }
+            for (int i = 0; i < count; i++) target[i] = new CpuFluidParticle(particles[i]);
         }
 
         public NativeArray<CpuFluidParticle> Particles { get; private set; }

@@ -35,6 +35,6 @@ namespace SphFluid.Validation
 
         internal static double3 Double(Vector3 v) => new double3(v.x, v.y, v.z);
 
-        static Vector3 Single(double3 v) => new Vector3((float)v.x, (float)v.y, (float)v.z);
+        private static Vector3 Single(double3 v) => new Vector3((float)v.x, (float)v.y, (float)v.z);
     }
 }

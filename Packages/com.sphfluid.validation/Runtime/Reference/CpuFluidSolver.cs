@@ -14,19 +14,19 @@ namespace SphFluid.Validation
     /// </summary>
     public sealed class CpuFluidSolver : IDisposable
     {
-        const int Batch = 32;
+        private const int Batch = 32;
 
         // Below every pressure: equation (10) as printed.
-        const double NoFloor = -1e30;
+        private const double NoFloor = -1e30;
 
-        readonly FluidSolverSettings settings;
-        readonly CpuFluidBuffers buffers;
-        readonly CpuMeshes meshes;
-        readonly CpuNeighbours neighbours;
-        readonly CpuRounding rounding;
-        double previousStep;
-        bool densityFresh;
-        bool disposed;
+        private readonly FluidSolverSettings settings;
+        private readonly CpuFluidBuffers buffers;
+        private readonly CpuMeshes meshes;
+        private readonly CpuNeighbours neighbours;
+        private readonly CpuRounding rounding;
+        private double previousStep;
+        private bool densityFresh;
+        private bool disposed;
 
         /// <summary>Takes a copy of the particles.</summary>
         /// <param name="settings">The physics; <see cref="ThesisRules.With"/> sets the thesis's switches.</param>
@@ -105,13 +105,11 @@ namespace SphFluid.Validation
             Alive();
             if (!(timeStep > 0f) || float.IsInfinity(timeStep))
             {
-                throw new ArgumentOutOfRangeException(nameof(timeStep), timeStep, "The length of a step must be a positive number of seconds.");
+                throw new ArgumentOutOfRangeException(nameof(timeStep), timeStep,
+                    "The length of a step must be a positive number of seconds.");
             }
 
-            if (steps < 0)
-            {
-                throw new ArgumentOutOfRangeException(nameof(steps), steps, "The number of steps must be zero or more.");
-            }
+            if (steps < 0) throw new ArgumentOutOfRangeException(nameof(steps), steps, "The number of steps must be zero or more.");
 
             buffers.ResetMaxima();
             for (int i = 0; i < steps; i++)
@@ -129,10 +127,7 @@ namespace SphFluid.Validation
         public void UpdateDensity()
         {
             Alive();
-            if (densityFresh)
-            {
-                return;
-            }
+            if (densityFresh) return;
 
             int count = ParticleCount;
             double h = settings.SupportRadius;
@@ -167,10 +162,7 @@ namespace SphFluid.Validation
         {
             NativeArray<CpuFluidParticle> particles = Alive().Particles;
             var copy = new FluidParticle[particles.Length];
-            for (int i = 0; i < copy.Length; i++)
-            {
-                copy[i] = particles[i].ToFloat();
-            }
+            for (int i = 0; i < copy.Length; i++) copy[i] = particles[i].ToFloat();
 
             return copy;
         }
@@ -186,7 +178,7 @@ namespace SphFluid.Validation
             }
         }
 
-        void Move(float timeStep, double previous)
+        private void Move(float timeStep, double previous)
         {
             double kick = 0.5 * (previous + timeStep);
             int count = ParticleCount;
@@ -239,14 +231,14 @@ namespace SphFluid.Validation
         }
 
         // The limit is a distance a step: steps of another length scale it by 1/dt². A float on the GPU.
-        double AccelerationLimit(float timeStep)
+        private double AccelerationLimit(float timeStep)
         {
             var own = settings.Own<ThesisSettings>();
             double steps = own.AccelerationLimitFixed ? 1.0 : settings.TimeStep / (double)timeStep;
             return (float)(own.AccelerationLimit * steps * steps);
         }
 
-        CpuFluidBuffers Alive()
+        private CpuFluidBuffers Alive()
         {
             return disposed ? throw new ObjectDisposedException(nameof(CpuFluidSolver)) : buffers;
         }

@@ -51,7 +51,7 @@ namespace SphFluid.Validation
         }
 
         // Unit vector from other to self. Two particles in one place have none: they part along x, by id.
-        double3 Direction(double3 d, double r, uint selfId, uint otherId)
+        private double3 Direction(double3 d, double r, uint selfId, uint otherId)
         {
             return r > 1e-6 * SmoothLength ? d / r : new double3(selfId < otherId ? 1.0 : -1.0, 0.0, 0.0);
         }

@@ -6,20 +6,23 @@ using UnityEngine;
 
 namespace SphFluid.Validation
 {
-    /// <summary>The triangles that a <see cref="CpuFluidSolver"/> collides with. The arrays hold one element or more: jobs need them.</summary>
+    /// <summary>
+    /// The triangles that a <see cref="CpuFluidSolver"/> collides with. The arrays hold one element or more: jobs need them.
+    /// </summary>
     internal sealed class CpuMeshes : IDisposable
     {
-        readonly List<CpuTriangle> triangles = new List<CpuTriangle>();
-        readonly List<CpuMesh> meshes = new List<CpuMesh>();
-        NativeArray<CpuTriangle> triangleArray = new NativeArray<CpuTriangle>(1, Allocator.Persistent);
-        NativeArray<CpuMesh> meshArray = new NativeArray<CpuMesh>(1, Allocator.Persistent);
+        private readonly List<CpuTriangle> triangles = new List<CpuTriangle>();
+        private readonly List<CpuMesh> meshes = new List<CpuMesh>();
+        private NativeArray<CpuTriangle> triangleArray = new NativeArray<CpuTriangle>(1, Allocator.Persistent);
+        private NativeArray<CpuMesh> meshArray = new NativeArray<CpuMesh>(1, Allocator.Persistent);
 
         public void Add(IReadOnlyList<Vector3> corners, bool closed)
         {
             if (corners == null || corners.Count == 0 || corners.Count % 3 != 0)
             {
                 throw new ArgumentException(
-                    $"A mesh has {corners?.Count ?? 0} corners; it must have three for each triangle, and one triangle or more.", nameof(corners));
+                    $"A mesh has {corners?.Count ?? 0} corners; it must have three for each triangle, and one triangle or more.",
+                    nameof(corners));
             }
 
             double3 low = CpuFluidParticle.Double(corners[0]);
@@ -38,7 +41,12 @@ namespace SphFluid.Validation
                 high = math.max(math.max(high, triangle.A), math.max(triangle.B, triangle.C));
             }
 
-            meshes.Add(new CpuMesh { BoundsMin = low, BoundsMax = high, FirstTriangle = first, EndTriangle = triangles.Count, Closed = closed });
+            meshes
+                .Add(new CpuMesh
+                {
+                    BoundsMin = low, BoundsMax = high, FirstTriangle = first, EndTriangle = triangles.Count,
+                    Closed = closed
+                });
             Dispose();
             triangleArray = new NativeArray<CpuTriangle>(triangles.ToArray(), Allocator.Persistent);
             meshArray = new NativeArray<CpuMesh>(meshes.ToArray(), Allocator.Persistent);

@@ -33,10 +33,7 @@ namespace SphFluid.Validation
             double3 acceleration = PrintedMass > 0.0 ? Force[index] * PrintedMass : Force[index] / Density[index];
             double magnitude = math.length(acceleration);
             bool limited = magnitude > AccelerationLimit;
-            if (limited)
-            {
-                acceleration *= AccelerationLimit / magnitude;
-            }
+            if (limited) acceleration *= AccelerationLimit / magnitude;
 
             acceleration += Collision.Force(particle.Position, particle.VelT0);
             acceleration += BodyForceRate * (BodyForceCentre - particle.Position);

@@ -27,7 +27,9 @@ namespace SphFluid.Validation
             First = first;
         }
 
-        /// <summary>Runs of particles to look through: 8 cells of 2h at the octant, or 9 rows of 3 cells of h; each in two runs where x is periodic.</summary>
+        /// <summary>
+        /// Runs of particles to look through: 8 cells of 2h at the octant, or 9 rows of 3 cells of h; each in two runs where x is periodic.
+        /// </summary>
         public int RangeCount => Octant ? 8 : Period.X ? 18 : 9;
 
         /// <summary>Cell of a position; a particle on the upper face belongs to the last cell.</summary>
@@ -69,14 +71,15 @@ namespace SphFluid.Validation
             }
         }
 
-        static int3 Floor(double3 v) => new int3((int)math.floor(v.x), (int)math.floor(v.y), (int)math.floor(v.z));
+        private static int3 Floor(double3 v) => new int3((int)math.floor(v.x), (int)math.floor(v.y), (int)math.floor(v.z));
 
-        int3 Wrap(int3 c) => new int3(Wrap(c.x, Counts.x, Period.X), Wrap(c.y, Counts.y, Period.Y), Wrap(c.z, Counts.z, Period.Z));
+        private int3 Wrap(int3 c) => new int3(Wrap(c.x, Counts.x, Period.X), Wrap(c.y, Counts.y, Period.Y), Wrap(c.z, Counts.z, Period.Z));
 
-        static int Wrap(int cell, int count, bool periodic) => !periodic ? cell : cell < 0 ? cell + count : cell < count ? cell : cell - count;
+        private static int Wrap(int cell, int count, bool periodic) => !periodic ? cell : cell < 0 ? cell + count : cell < count ? cell
+            : cell - count;
 
-        int Index(int3 cell) => cell.x + Counts.x * (cell.y + Counts.y * cell.z);
+        private int Index(int3 cell) => cell.x + Counts.x * (cell.y + Counts.y * cell.z);
 
-        bool Holds(int3 c) => c.x >= 0 && c.y >= 0 && c.z >= 0 && c.x < Counts.x && c.y < Counts.y && c.z < Counts.z;
+        private bool Holds(int3 c) => c.x >= 0 && c.y >= 0 && c.z >= 0 && c.x < Counts.x && c.y < Counts.y && c.z < Counts.z;
     }
 }

@@ -31,9 +31,9 @@ namespace SphFluid.Validation
         /// <summary>A value an axis where that axis has walls, zero where it is periodic.</summary>
         public double3 WhereWalls(double3 v) => new double3(X ? 0.0 : v.x, Y ? 0.0 : v.y, Z ? 0.0 : v.z);
 
-        static double Nearest(double d, double length) => length > 0.0 ? d - length * math.round(d / length) : d;
+        private static double Nearest(double d, double length) => length > 0.0 ? d - length * math.round(d / length) : d;
 
-        static double Wrap(double p, double length)
+        private static double Wrap(double p, double length)
         {
             return length > 0.0 ? math.clamp(p - length * math.floor(p / length + 0.5), -0.5 * length, 0.5 * length) : p;
         }

@@ -13,7 +13,8 @@ namespace SphFluid.Validation
         /// <summary>From a point to the nearest one of a triangle [m].</summary>
         public static Vector3 Separation(Vector3 p, Vector3 a, Vector3 b, Vector3 c)
         {
-            var triangle = new CpuTriangle { A = CpuFluidParticle.Double(a), B = CpuFluidParticle.Double(b), C = CpuFluidParticle.Double(c) };
+            var triangle =
+                new CpuTriangle { A = CpuFluidParticle.Double(a), B = CpuFluidParticle.Double(b), C = CpuFluidParticle.Double(c) };
             double3 from = CpuFluidParticle.Double(p);
             return (float3)(triangle.ClosestPoint(from, out _) - from);
         }
@@ -35,52 +36,33 @@ namespace SphFluid.Validation
             double e = d4 - d3;
             double f = d5 - d6;
             onFace = false;
-            if (d1 <= 0.0 && d2 <= 0.0)
-            {
-                return A;
-            }
+            if (d1 <= 0.0 && d2 <= 0.0) return A;
 
-            if (d3 >= 0.0 && d4 <= d3)
-            {
-                return B;
-            }
+            if (d3 >= 0.0 && d4 <= d3) return B;
 
-            if (d6 >= 0.0 && d5 <= d6)
-            {
-                return C;
-            }
+            if (d6 >= 0.0 && d5 <= d6) return C;
 
-            if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0)
-            {
-                return A + ab * (d1 / (d1 - d3));
-            }
+            if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) return A + ab * (d1 / (d1 - d3));
 
-            if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0)
-            {
-                return A + ac * (d2 / (d2 - d6));
-            }
+            if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) return A + ac * (d2 / (d2 - d6));
 
-            if (va <= 0.0 && e >= 0.0 && f >= 0.0)
-            {
-                return B + (C - B) * (e / (e + f));
-            }
+            if (va <= 0.0 && e >= 0.0 && f >= 0.0) return B + (C - B) * (e / (e + f));
 
             onFace = true;
             double scale = 1.0 / (va + vb + vc);
             return A + ab * (vb * scale) + ac * (vc * scale);
         }
 
-        /// <summary>Fraction of the segment from p along move at which it intersects the triangle (Möller and Trumbore), 2 where it does not.</summary>
+        /// <summary>
+        /// Fraction of the segment from p along move at which it intersects the triangle (Möller and Trumbore), 2 where it does not.
+        /// </summary>
         public double SegmentFraction(double3 p, double3 move)
         {
             double3 ab = B - A;
             double3 ac = C - A;
             double3 h = math.cross(move, ac);
             double determinant = math.dot(ab, h);
-            if (math.abs(determinant) <= 1e-30)
-            {
-                return 2.0;
-            }
+            if (math.abs(determinant) <= 1e-30) return 2.0;
 
             double3 s = p - A;
             double3 q = math.cross(s, ab);

@@ -44,7 +44,8 @@ namespace SphFluid.Validation
             double3 drive = LowX * lower.x + HighX * upper.x + LowY * lower.y + HighY * upper.y + LowZ * lower.z + HighZ * upper.z;
             double3 both = lower + upper;
             var rate = new double3(both.y + both.z, both.z + both.x, both.x + both.y);
-            return new double3(Capped(drive.x, rate.x, velocity.x), Capped(drive.y, rate.y, velocity.y), Capped(drive.z, rate.z, velocity.z));
+            return new double3(Capped(drive.x, rate.x, velocity.x), Capped(drive.y, rate.y, velocity.y),
+                Capped(drive.z, rate.z, velocity.z));
         }
 
         /// <summary>Acceleration by a mesh at rest [m/s²]: unit vector and distance from its nearest point.</summary>
@@ -53,8 +54,8 @@ namespace SphFluid.Validation
             return (away * math.dot(velocity, away) - velocity) * math.min(Rate(distance), 1.0 / Kick);
         }
 
-        double Rate(double distance) => distance < Distance ? Speed / math.max(distance, 0.05 * Distance) : 0.0;
+        private double Rate(double distance) => distance < Distance ? Speed / math.max(distance, 0.05 * Distance) : 0.0;
 
-        double Capped(double drive, double rate, double speed) => (drive - rate * speed) / math.max(rate * Kick, 1.0);
+        private double Capped(double drive, double rate, double speed) => (drive - rate * speed) / math.max(rate * Kick, 1.0);
     }
 }

@@ -10,15 +10,15 @@ namespace SphFluid.Validation
     /// How long a step takes on this device, now: half a second of the Standard method on a small liquid. What a long measurement will
     /// take follows from its number of particle-steps.
     /// </summary>
-    sealed class DeviceCalibration
+    internal sealed class DeviceCalibration
     {
         /// <summary>Particles of the liquid.</summary>
         public const int Particles = 4096;
 
-        const double LeastSeconds = 0.4;
-        const int MostStepsAtOnce = 256;
+        private const double LeastSeconds = 0.4;
+        private const int MostStepsAtOnce = 256;
 
-        readonly FluidShaderSet shaders;
+        private readonly FluidShaderSet shaders;
 
         public DeviceCalibration(FluidShaderSet shaders) => this.shaders = shaders;
 
@@ -37,8 +37,7 @@ namespace SphFluid.Validation
                     bool counts = steps > 0;
                     cmd.Clear();
                     liquid.Solver.RecordSteps(cmd, next);
-                    if (counts)
-                        clock.Start();
+                    if (counts) clock.Start();
                     Graphics.ExecuteCommandBuffer(cmd);
                     liquid.Solver.ReadCountersNow(); // waits
                     clock.Stop();

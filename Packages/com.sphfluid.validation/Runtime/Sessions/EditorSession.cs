@@ -5,7 +5,7 @@ using UnityEditor;
 namespace SphFluid.Validation
 {
     /// <summary>Runs a measurement in the Unity Editor from the command line, outside play mode, and leaves the Editor.</summary>
-    static class EditorSession
+    internal static class EditorSession
     {
         public static void Begin(IValidationSession session)
         {
@@ -13,8 +13,7 @@ namespace SphFluid.Validation
             {
                 try
                 {
-                    if (session.Step())
-                        return;
+                    if (session.Step()) return;
                     session.Dispose();
                     EditorApplication.Exit(0);
                 }

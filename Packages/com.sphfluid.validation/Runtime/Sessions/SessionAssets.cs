@@ -5,9 +5,9 @@ using System.Reflection;
 namespace SphFluid.Validation
 {
     /// <summary>The package's shaders for code that no scene has given any.</summary>
-    static class SessionAssets
+    internal static class SessionAssets
     {
-        const string ShaderSet = "Packages/com.sphfluid/Runtime/Assets/DefaultFluidShaderSet.asset";
+        private const string ShaderSet = "Packages/com.sphfluid/Runtime/Assets/DefaultFluidShaderSet.asset";
 
         /// <summary>The package's own shader set, in the Editor and the headless player; null elsewhere.</summary>
         public static FluidShaderSet PackageShaders => Load<FluidShaderSet>(ShaderSet);
@@ -16,7 +16,8 @@ namespace SphFluid.Validation
         /// <exception cref="FluidDeviceException">There is none.</exception>
         public static FluidShaderSet FindShaders()
         {
-            FluidShaderSet shaders = FluidSimulation.Active.Where(s => s.Profile != null).Select(s => s.Profile.Shaders).FirstOrDefault(s => s != null) ??
+            FluidShaderSet shaders = FluidSimulation.Active.Where(s => s.Profile != null).Select(s => s.Profile.Shaders)
+                .FirstOrDefault(s => s != null) ??
                 PackageShaders;
             if (shaders == null)
             {
@@ -31,9 +32,12 @@ namespace SphFluid.Validation
         /// <param name="subject">Who has it, with the verb: e.g. "The chart has".</param>
         /// <exception cref="FluidDeviceException">There is none.</exception>
         public static FluidShaderSet Require(FluidShaderSet shaders, string subject) =>
-            shaders != null ? shaders : throw new FluidDeviceException($"{subject} no shader set. Install the package under its name, com.sphfluid.");
+            shaders != null ? shaders
+                : throw new FluidDeviceException($"{subject} no shader set. Install the package under its name, com.sphfluid.");
 
-        /// <summary>An asset of a package by its path, in the Editor and the headless player; null elsewhere, and where there is none.</summary>
+        /// <summary>
+        /// An asset of a package by its path, in the Editor and the headless player; null elsewhere, and where there is none.
+        /// </summary>
         /// <param name="path">Path that starts with Packages/ and the package's name.</param>
         public static T Load<T>(string path) where T : UnityEngine.Object
         {

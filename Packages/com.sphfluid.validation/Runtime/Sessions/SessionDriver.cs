@@ -6,11 +6,11 @@ namespace SphFluid.Validation
 {
     /// <summary>Runs a measurement in play mode, a step a frame, and ends the program with it.</summary>
     [AddComponentMenu("")]
-    sealed class SessionDriver : MonoBehaviour
+    internal sealed class SessionDriver : MonoBehaviour
     {
-        const int FailureExitCode = 1;
+        private const int FailureExitCode = 1;
 
-        IValidationSession session;
+        private IValidationSession session;
 
         public static void Begin(IValidationSession session)
         {
@@ -18,12 +18,11 @@ namespace SphFluid.Validation
             holder.AddComponent<SessionDriver>().session = session;
         }
 
-        void Update()
+        private void Update()
         {
             try
             {
-                if (!session.Step())
-                    Application.Quit(0);
+                if (!session.Step()) Application.Quit(0);
             }
             catch (Exception exception) when (IsExpected(exception))
             {
@@ -37,10 +36,13 @@ namespace SphFluid.Validation
             }
         }
 
-        void OnDestroy() => session?.Dispose();
+        private void OnDestroy() => session?.Dispose();
 
-        /// <summary>What a device, a disk or shards that lack runs can do to a measurement; the message is all that the user needs.</summary>
+        /// <summary>
+        /// What a device, a disk or shards that lack runs can do to a measurement; the message is all that the user needs.
+        /// </summary>
         public static bool IsExpected(Exception exception) =>
-            exception is FluidDeviceException || exception is IncompleteException || exception is IOException || exception is UnauthorizedAccessException;
+            exception is FluidDeviceException || exception is IncompleteException || exception is IOException ||
+                exception is UnauthorizedAccessException;
     }
 }

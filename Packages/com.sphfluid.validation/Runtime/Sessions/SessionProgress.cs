@@ -7,13 +7,13 @@ namespace SphFluid.Validation
     /// <summary>How far a measurement is: a bar on a terminal, else a line every ten seconds.</summary>
     public sealed class SessionProgress
     {
-        const int BarCells = 24;
-        const double SecondsBetweenLines = 10.0;
+        private const int BarCells = 24;
+        private const double SecondsBetweenLines = 10.0;
 
-        readonly Action<string> line;
-        readonly Action<string> bar;
-        readonly Stopwatch sinceLast = new Stopwatch();
-        bool barShown;
+        private readonly Action<string> line;
+        private readonly Action<string> bar;
+        private readonly Stopwatch sinceLast = new Stopwatch();
+        private bool barShown;
 
         /// <param name="line">Takes whole lines.</param>
         /// <param name="bar">Takes the bar, which overwrites itself; null where there is no terminal.</param>
@@ -31,8 +31,7 @@ namespace SphFluid.Validation
         /// <param name="text">The line.</param>
         public void Say(string text)
         {
-            if (barShown)
-                bar("\r\u001b[2K");
+            if (barShown) bar("\r\u001b[2K");
             barShown = false;
             line(text);
         }
@@ -44,8 +43,7 @@ namespace SphFluid.Validation
         public void Show(double share, TimeSpan? left, string what)
         {
             double pause = bar != null ? 0.1 : SecondsBetweenLines;
-            if (sinceLast.IsRunning && sinceLast.Elapsed.TotalSeconds < pause)
-                return;
+            if (sinceLast.IsRunning && sinceLast.Elapsed.TotalSeconds < pause) return;
             sinceLast.Restart();
             string text = Text(share, left, what, bar != null);
             if (bar == null)
@@ -68,13 +66,13 @@ namespace SphFluid.Validation
         /// <summary>A time as one says it: "about 40 s", "about 3 min", "about 1 h 20 min".</summary>
         internal static string About(TimeSpan time)
         {
-            if (time.TotalSeconds < 95.0)
-                return $"about {Math.Max(5, 5 * (int)Math.Round(time.TotalSeconds / 5.0))} s";
+            if (time.TotalSeconds < 95.0) return $"about {Math.Max(5, 5 * (int)Math.Round(time.TotalSeconds / 5.0))} s";
             int minutes = (int)Math.Round(time.TotalMinutes);
             return minutes < 90 ? $"about {minutes} min" : $"about {minutes / 60} h{(minutes % 60 > 0 ? $" {minutes % 60} min" : "")}";
         }
 
         /// <summary>Minutes and seconds, e.g. 2:05.</summary>
-        internal static string Duration(TimeSpan time) => string.Format(CultureInfo.InvariantCulture, "{0}:{1:00}", (int)time.TotalMinutes, time.Seconds);
+        internal static string Duration(TimeSpan time) =>
+            string.Format(CultureInfo.InvariantCulture, "{0}:{1:00}", (int)time.TotalMinutes, time.Seconds);
     }
 }

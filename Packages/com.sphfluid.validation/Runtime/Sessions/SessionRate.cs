@@ -7,15 +7,15 @@ namespace SphFluid.Validation
     /// How fast jobs go: at first as expected, then more and more as those that were done did. Jobs of a kind are compared with each other
     /// where there are any, else with all.
     /// </summary>
-    sealed class SessionRate
+    internal sealed class SessionRate
     {
         // What is expected counts like so much time of measuring: the first job also compiles, and may be a small one.
-        const double TrustInExpected = 4.0, TrustInOthers = 1.0;
+        private const double TrustInExpected = 4.0, TrustInOthers = 1.0;
 
-        readonly Dictionary<string, (double Cost, double Seconds)> kinds = new Dictionary<string, (double, double)>();
-        double? expected;
-        (double Cost, double Seconds) all;
-        (string Kind, double Cost, double Seconds) running;
+        private readonly Dictionary<string, (double Cost, double Seconds)> kinds = new Dictionary<string, (double, double)>();
+        private double? expected;
+        private (double Cost, double Seconds) all;
+        private (string Kind, double Cost, double Seconds) running;
 
         /// <param name="expected">Work a second before a job is done; null when it is not known.</param>
         public SessionRate(double? expected) => this.expected = expected;
@@ -42,18 +42,16 @@ namespace SphFluid.Validation
             if (kind.Length > 0)
             {
                 kinds.TryGetValue(kind, out (double Cost, double Seconds) own);
-                if (running.Kind == kind)
-                    own = (own.Cost + running.Cost, own.Seconds + running.Seconds);
+                if (running.Kind == kind) own = (own.Cost + running.Cost, own.Seconds + running.Seconds);
                 rate = Blend(own.Cost, own.Seconds, rate, TrustInOthers);
             }
             return rate.HasValue ? TimeSpan.FromSeconds(Math.Min(work / rate.Value, TimeSpan.MaxValue.TotalSeconds / 2)) : (TimeSpan?)null;
         }
 
-        static double? Blend(double cost, double seconds, double? other, double trust)
+        private static double? Blend(double cost, double seconds, double? other, double trust)
         {
             bool measured = cost > 0.0 && seconds > 0.0;
-            if (!other.HasValue)
-                return measured ? cost / seconds : (double?)null;
+            if (!other.HasValue) return measured ? cost / seconds : (double?)null;
             return measured ? (cost + trust * other.Value) / (seconds + trust) : other;
         }
     }

@@ -7,7 +7,7 @@ namespace SphFluid.Validation
     /// <summary>An enumerator that is gone through a frame at a time; where it yields another one, that one comes first.</summary>
     public sealed class SessionWork
     {
-        readonly Stack<IEnumerator> work = new Stack<IEnumerator>();
+        private readonly Stack<IEnumerator> work = new Stack<IEnumerator>();
 
         /// <summary>Work that has not begun.</summary>
         public SessionWork(IEnumerator root) => work.Push(root);
@@ -42,8 +42,7 @@ namespace SphFluid.Validation
         /// <summary>Gives up what is left; what it holds in using blocks is freed.</summary>
         public void Clear()
         {
-            while (work.Count > 0)
-                (work.Pop() as IDisposable)?.Dispose();
+            while (work.Count > 0) (work.Pop() as IDisposable)?.Dispose();
         }
     }
 }

@@ -8,8 +8,8 @@ namespace SphFluid.Validation
     /// </summary>
     public sealed class Bisection
     {
-        readonly double tolerance;
-        bool lowKnown, highKnown;
+        private readonly double tolerance;
+        private bool lowKnown, highKnown;
 
         /// <summary>A search between two values.</summary>
         /// <param name="low">Expected to be stable.</param>
@@ -18,7 +18,11 @@ namespace SphFluid.Validation
         public Bisection(double low, double high, double tolerance)
         {
             if (!(low > 0.0) || !(high > low) || !(tolerance > 0.0))
-                throw new ArgumentException(FormattableString.Invariant($"A bisection needs 0 < low < high and a tolerance above zero, found {low}, {high} and {tolerance}."));
+            {
+                throw new ArgumentException(
+                    FormattableString.Invariant($"A bisection needs 0 < low < high and a tolerance above zero, found {low}, {high} and ") +
+                    FormattableString.Invariant($"{tolerance}."));
+            }
             Low = low;
             High = high;
             this.tolerance = tolerance;
@@ -43,21 +47,18 @@ namespace SphFluid.Validation
         /// <param name="stable">Whether it was stable.</param>
         public void Add(bool stable)
         {
-            if (IsDone)
-                throw new InvalidOperationException("The bisection is done.");
+            if (IsDone) throw new InvalidOperationException("The bisection is done.");
             Trials++;
             if (!lowKnown)
             {
                 lowKnown = true;
-                if (!stable)
-                    (High, Low, IsDone) = (Low, 0.0, true);
+                if (!stable) (High, Low, IsDone) = (Low, 0.0, true);
                 return;
             }
             if (!highKnown)
             {
                 highKnown = true;
-                if (stable)
-                    (Low, High, IsDone) = (High, double.PositiveInfinity, true);
+                if (stable) (Low, High, IsDone) = (High, double.PositiveInfinity, true);
             }
             else if (stable)
             {

@@ -12,13 +12,13 @@ namespace SphFluid.Validation
     /// </summary>
     public sealed class GrowthMetric : CaseMetric
     {
-        const int First = 2, Order = 6;
+        private const int First = 2, Order = 6;
 
-        readonly double factor;
-        readonly Vector3 period;
-        readonly Queue<double3[]> displacements = new Queue<double3[]>(); // the last ones, from sample to sample
-        Vector3[] last;
-        double start = double.NaN;
+        private readonly double factor;
+        private readonly Vector3 period;
+        private readonly Queue<double3[]> displacements = new Queue<double3[]>(); // the last ones, from sample to sample
+        private Vector3[] last;
+        private double start = double.NaN;
 
         /// <summary>A metric of one run.</summary>
         /// <param name="factor">Growth that no bounded motion has.</param>
@@ -36,24 +36,24 @@ namespace SphFluid.Validation
         public override void Sample(double time, FluidSnapshot state)
         {
             Vector3[] now = state.LocalPositions;
-            if (last != null)
-                displacements.Enqueue(Displacements(now));
+            if (last != null) displacements.Enqueue(Displacements(now));
             last = now;
-            if (displacements.Count == First && double.IsNaN(start))
-                start = Amplitude();
-            if (displacements.Count < Order)
-                return;
+            if (displacements.Count == First && double.IsNaN(start)) start = Amplitude();
+            if (displacements.Count < Order) return;
             Growth = Amplitude() / start;
             displacements.Dequeue();
             if (!(Growth <= factor))
+            {
                 Failure = FormattableString.Invariant($"what alternates from step to step grew to {Growth:G3} of the start's");
+            }
         }
 
         /// <inheritdoc/>
-        public override IReadOnlyList<CaseError> Evaluate() => new[] { new CaseError("growth of what alternates from step to step", Growth) };
+        public override IReadOnlyList<CaseError> Evaluate() =>
+            new[] { new CaseError("growth of what alternates from step to step", Growth) };
 
         // Root mean square of the highest difference that the steps give, over 2 to its order [m].
-        double Amplitude()
+        private double Amplitude()
         {
             double3[][] differences = displacements.ToArray();
             int count = last.Length, order = differences.Length;
@@ -73,7 +73,7 @@ namespace SphFluid.Validation
         }
 
         // The shortest ones, across a periodic face where that is shorter.
-        double3[] Displacements(Vector3[] now)
+        private double3[] Displacements(Vector3[] now)
         {
             var result = new double3[now.Length];
             for (int i = 0; i < now.Length; i++)
@@ -81,8 +81,7 @@ namespace SphFluid.Validation
                 Vector3 d = now[i] - last[i];
                 for (int axis = 0; axis < 3; axis++)
                 {
-                    if (period[axis] > 0f)
-                        d[axis] -= period[axis] * Mathf.Round(d[axis] / period[axis]);
+                    if (period[axis] > 0f) d[axis] -= period[axis] * Mathf.Round(d[axis] / period[axis]);
                 }
                 result[i] = (float3)d;
             }

@@ -6,9 +6,9 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>Momentum, speed and compression of a snapshot, summed in double precision; and what else a criterion asks of one.</summary>
-    readonly struct LiquidMotion
+    internal readonly struct LiquidMotion
     {
-        LiquidMotion(double3 momentum, double scale, double maxSpeed, double compression)
+        private LiquidMotion(double3 momentum, double scale, double maxSpeed, double compression)
         {
             Momentum = momentum;
             MomentumScale = scale;
@@ -44,15 +44,17 @@ namespace SphFluid.Validation
             return new LiquidMotion(momentum, scale, maxSpeed, compression / Math.Max(1, state.Count));
         }
 
-        /// <summary>Height of a column [m]: half a spacing above the median of its highest layer's worth of particles, so that a few that fly do not count.</summary>
+        /// <summary>
+        /// Height of a column [m]: half a spacing above the median of its highest layer's worth of particles, so that a few that fly do not
+        /// count.
+        /// </summary>
         /// <param name="state">The particles.</param>
         /// <param name="settings">Domain and spacing.</param>
         /// <param name="depth">Height at rest density [m], from which the number of layers follows.</param>
         public static double ColumnHeight(FluidSnapshot state, in FluidSolverSettings settings, double depth)
         {
             var heights = new double[state.Count];
-            for (int i = 0; i < heights.Length; i++)
-                heights[i] = state.LocalPositions[i].y + 0.5 * settings.DomainSize.y;
+            for (int i = 0; i < heights.Length; i++) heights[i] = state.LocalPositions[i].y + 0.5 * settings.DomainSize.y;
             Array.Sort(heights);
             int layers = Math.Max(1, (int)Math.Round(depth / settings.Spacing));
             int layer = Math.Max(1, state.Count / layers);
@@ -70,14 +72,13 @@ namespace SphFluid.Validation
             int near = 0;
             for (int i = 0; i < state.Count; i++)
             {
-                if (cells.CountWithin(positions, i, (float)distance) > 0)
-                    near++;
+                if (cells.CountWithin(positions, i, (float)distance) > 0) near++;
             }
             return near / (double)Math.Max(1, state.Count);
         }
 
         // What lies within the distance of a periodic face is there once more beyond the other one.
-        static Vector3[] WithImages(Vector3[] positions, in FluidSolverSettings settings, float distance)
+        private static Vector3[] WithImages(Vector3[] positions, in FluidSolverSettings settings, float distance)
         {
             var all = new List<Vector3>(positions);
             for (int axis = 0; axis < 3; axis++)
@@ -86,8 +87,7 @@ namespace SphFluid.Validation
                 for (int i = 0, count = all.Count; length > 0f && i < count; i++)
                 {
                     Vector3 image = all[i];
-                    if (Mathf.Abs(image[axis]) <= 0.5f * length - distance)
-                        continue;
+                    if (Mathf.Abs(image[axis]) <= 0.5f * length - distance) continue;
                     image[axis] -= Mathf.Sign(image[axis]) * length;
                     all.Add(image);
                 }

@@ -6,8 +6,8 @@ namespace SphFluid.Validation
     /// <summary>What <c>stability</c> measures and where it writes.</summary>
     public sealed class StabilityArguments : MeasuringArguments
     {
-        readonly List<StabilityMap> maps = new List<StabilityMap>();
-        readonly List<CaseMethod> methods = new List<CaseMethod>();
+        private readonly List<StabilityMap> maps = new List<StabilityMap>();
+        private readonly List<CaseMethod> methods = new List<CaseMethod>();
 
         internal StabilityArguments() : base("stability", "Build/stability")
         {
@@ -32,7 +32,7 @@ namespace SphFluid.Validation
             ("--map", Limits ? null : Maps.Select(m => m.Name)),
             ("--method", Methods.SequenceEqual(DefaultMethods) ? null : Methods.Select(m => m.Name)));
 
-        IEnumerable<CaseMethod> DefaultMethods => CaseMethod.All.Where(m => !Quick || m.Kind != FluidMethodKind.ThesisPrinted);
+        private IEnumerable<CaseMethod> DefaultMethods => CaseMethod.All.Where(m => !Quick || m.Kind != FluidMethodKind.ThesisPrinted);
 
         /// <summary>Reads the command line of the process.</summary>
         /// <exception cref="CommandLineException">A flag is unknown, or a value is missing or wrong.</exception>
@@ -41,10 +41,8 @@ namespace SphFluid.Validation
             var result = new StabilityArguments();
             result.Read(commandLine);
             result.Limits = result.maps.Count == 0;
-            if (result.maps.Count == 0)
-                result.maps.AddRange(StabilityMap.All);
-            if (result.methods.Count == 0)
-                result.methods.AddRange(result.DefaultMethods);
+            if (result.maps.Count == 0) result.maps.AddRange(StabilityMap.All);
+            if (result.methods.Count == 0) result.methods.AddRange(result.DefaultMethods);
             return result;
         }
     }

@@ -7,7 +7,7 @@ namespace SphFluid.Validation
     /// Constants of a cell, each set directly: speed of sound, viscosity and time step are the axes of the maps and follow no rule.
     /// c is the nominal speed of sound, √k, as the linear theory has it: with the ½ of the thesis's equation (13) waves run at √(k/2).
     /// </summary>
-    struct StabilityConstants
+    internal struct StabilityConstants
     {
         /// <summary>Particle spacing of all scenes [m].</summary>
         public const double Spacing = 0.1;
@@ -70,11 +70,10 @@ namespace SphFluid.Validation
         }
 
         // The settings carry the printed method's switches themselves, so that its limit stays off where it is off.
-        ThesisSwitches Switches()
+        private ThesisSwitches Switches()
         {
             ThesisSwitches switches = Method.Kind == FluidMethodKind.ThesisPrinted ? ThesisSwitches.Printed : ThesisSwitches.Corrected;
-            if (!Clamps)
-                switches.AccelerationLimit = ThesisAccelerationLimit.Off;
+            if (!Clamps) switches.AccelerationLimit = ThesisAccelerationLimit.Off;
             switches.OctantSearch = false; // the same pairs, faster
             switches.PressureClamp &= !Suction;
             return switches;

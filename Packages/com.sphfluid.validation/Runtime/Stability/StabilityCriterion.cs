@@ -6,9 +6,9 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>
-    /// Watches a run and decides how it went. Failed: not finite, energy beyond 1.05 of the start's, a speed beyond 3 v_ref, 0.1 % beyond a wall by
-    /// dx/2, mean compression grown by 10 %. Degraded at the end: moves by more than it may, 1 % of nearest distances below dx/2, height
-    /// lost, accelerations or positions clamped, momentum drifted. There are no neighbour lists that could overflow.
+    /// Watches a run and decides how it went. Failed: not finite, energy beyond 1.05 of the start's, a speed beyond 3 v_ref, 0.1 % beyond a
+    /// wall by dx/2, mean compression grown by 10 %. Degraded at the end: moves by more than it may, 1 % of nearest distances below dx/2,
+    /// height lost, accelerations or positions clamped, momentum drifted. There are no neighbour lists that could overflow.
     /// </summary>
     public sealed class StabilityCriterion : CaseMetric
     {
@@ -33,13 +33,13 @@ namespace SphFluid.Validation
         /// <summary>Drift of the momentum of a closed system that degrades a run, over Σ m |v|.</summary>
         public const double MomentumDrift = 1e-3;
 
-        readonly StabilityScenario scene;
-        readonly FluidSolverSettings settings;
-        bool begun;
-        LiquidMotion first;
-        double firstEnergy;
-        double speedSquares, heights, clumped, drift, scale;
-        int settled;
+        private readonly StabilityScenario scene;
+        private readonly FluidSolverSettings settings;
+        private bool begun;
+        private LiquidMotion first;
+        private double firstEnergy;
+        private double speedSquares, heights, clumped, drift, scale;
+        private int settled;
 
         /// <summary>The criterion of one run.</summary>
         /// <param name="scene">What is run, and what is expected of it.</param>
@@ -58,16 +58,13 @@ namespace SphFluid.Validation
             LiquidMotion now = LiquidMotion.Of(state, settings);
             LiquidEnergy energy = LiquidEnergy.Of(state, settings);
             double total = energy.Total + Lowest * settings.ParticleMass * state.Count;
-            if (!begun)
-                (first, firstEnergy) = (now, total);
+            if (!begun) (first, firstEnergy) = (now, total);
             begun = true;
             FailBy(now, total, state);
-            if (Failure != null)
-                return;
+            if (Failure != null) return;
             scale = Math.Max(scale, now.MomentumScale);
             drift = Math.Max(drift, math.length(now.Momentum - first.Momentum));
-            if (time >= scene.SettledFrom)
-                Settle(energy.Kinetic, state);
+            if (time >= scene.SettledFrom) Settle(energy.Kinetic, state);
         }
 
         /// <summary>v_rms/rest speed, share of close particles, height loss and momentum drift, as far as they are scene.</summary>
@@ -101,16 +98,15 @@ namespace SphFluid.Validation
             return outcome;
         }
 
-        double RmsSpeed => settled == 0 ? double.NaN : Math.Sqrt(speedSquares / settled);
+        private double RmsSpeed => settled == 0 ? double.NaN : Math.Sqrt(speedSquares / settled);
 
-        double Drift => drift / Math.Max(scale, 1e-300);
+        private double Drift => drift / Math.Max(scale, 1e-300);
 
-        double Sinking
+        private double Sinking
         {
             get
             {
-                if (scene.Depth <= 0.0 || settled == 0)
-                    return double.NaN;
+                if (scene.Depth <= 0.0 || settled == 0) return double.NaN;
                 double sound = LiquidEnergy.EffectiveSound(settings);
                 double m = sound * sound / (settings.Gravity.magnitude * scene.Depth);
                 return HydrostaticMetric.HeightRatio(m) - heights / settled / scene.Depth;
@@ -118,7 +114,7 @@ namespace SphFluid.Validation
         }
 
         // Gravity's potential at the lowest corner of the domain is −this [J/kg]: with it energies start at zero there.
-        double Lowest
+        private double Lowest
         {
             get
             {
@@ -127,7 +123,7 @@ namespace SphFluid.Validation
             }
         }
 
-        void FailBy(in LiquidMotion now, double energy, FluidSnapshot state)
+        private void FailBy(in LiquidMotion now, double energy, FluidSnapshot state)
         {
             double start = Math.Max(firstEnergy, scene.EnergyScale), growth = energy - firstEnergy;
             double escaped = EscapedNow(state);
@@ -136,20 +132,23 @@ namespace SphFluid.Validation
             else if (now.MaxSpeed > SpeedRatio * scene.ReferenceSpeed)
                 Fail(StabilityCause.Speed, FormattableString.Invariant($"a particle has {now.MaxSpeed / scene.ReferenceSpeed:G3} v_ref"));
             else if (growth > EnergyGrowth * start)
-                Fail(StabilityCause.Energy, FormattableString.Invariant($"the energy grew by {growth / start:P1} of {(start > firstEnergy ? "½ M v_ref²" : "the start's")}"));
+                Fail(StabilityCause.Energy,
+                    FormattableString.Invariant($"the energy grew by {growth / start:P1} of ") +
+                    FormattableString.Invariant($"{(start > firstEnergy ? "½ M v_ref²" : "the start's")}"));
             else if (escaped > EscapedShare)
                 Fail(StabilityCause.Escape, FormattableString.Invariant($"{escaped:P2} of the particles are beyond a wall by dx/2"));
             else if (now.MeanCompression - first.MeanCompression > Compression)
-                Fail(StabilityCause.Compression, FormattableString.Invariant($"the mean compression grew by {now.MeanCompression - first.MeanCompression:P1}"));
+                Fail(StabilityCause.Compression,
+                    FormattableString.Invariant($"the mean compression grew by {now.MeanCompression - first.MeanCompression:P1}"));
         }
 
-        void Fail(StabilityCause cause, string text)
+        private void Fail(StabilityCause cause, string text)
         {
             Cause = cause;
             Failure = text;
         }
 
-        double EscapedNow(FluidSnapshot state)
+        private double EscapedNow(FluidSnapshot state)
         {
             float depth = 0.5f * settings.Spacing;
             Vector3 half = 0.5f * settings.DomainSize + depth * Vector3.one;
@@ -162,16 +161,15 @@ namespace SphFluid.Validation
             return escaped / (double)Math.Max(1, state.Count);
         }
 
-        void Settle(double kinetic, FluidSnapshot state)
+        private void Settle(double kinetic, FluidSnapshot state)
         {
             settled++;
             speedSquares += 2.0 * kinetic / (settings.ParticleMass * (double)state.Count);
             clumped = Math.Max(clumped, LiquidMotion.ClosePairs(state, settings, 0.5 * settings.Spacing));
-            if (scene.Depth > 0.0)
-                heights += LiquidMotion.ColumnHeight(state, settings, scene.Depth);
+            if (scene.Depth > 0.0) heights += LiquidMotion.ColumnHeight(state, settings, scene.Depth);
         }
 
-        string Degradation(CaseResult result, out StabilityCause cause)
+        private string Degradation(CaseResult result, out StabilityCause cause)
         {
             // A box at rest has no momentum to speak of: its drift is compared with all of it at a thousandth of v_ref.
             double floor = 1e-3 * scene.ReferenceSpeed * settings.ParticleMass * result.Particles;
@@ -179,19 +177,35 @@ namespace SphFluid.Validation
             long hits = counters.AccelerationLimitHits + counters.DomainClamps;
             cause = StabilityCause.None;
             if (scene.RestSpeed > 0.0 && RmsSpeed > scene.RestSpeed)
-                return Degrade(out cause, StabilityCause.Restless, FormattableString.Invariant($"v_rms is {RmsSpeed / scene.ReferenceSpeed:G3} v_ref at the end"));
+            {
+                return Degrade(out cause, StabilityCause.Restless,
+                    FormattableString.Invariant($"v_rms is {RmsSpeed / scene.ReferenceSpeed:G3} v_ref at the end"));
+            }
             if (clumped > ClumpedShare)
-                return Degrade(out cause, StabilityCause.Clumped, FormattableString.Invariant($"{clumped:P1} of the particles have a neighbour within dx/2"));
+            {
+                return Degrade(out cause, StabilityCause.Clumped,
+                    FormattableString.Invariant($"{clumped:P1} of the particles have a neighbour within dx/2"));
+            }
             if (Sinking > HeightLoss)
-                return Degrade(out cause, StabilityCause.Sunk, FormattableString.Invariant($"{Sinking:P1} of the depth is lost beyond the equation of state's"));
+            {
+                return Degrade(out cause, StabilityCause.Sunk,
+                    FormattableString.Invariant($"{Sinking:P1} of the depth is lost beyond the equation of state's"));
+            }
             if (hits > 0)
-                return Degrade(out cause, StabilityCause.Clamped, FormattableString.Invariant($"{counters.AccelerationLimitHits} accelerations and {counters.DomainClamps} positions were clamped"));
+            {
+                return Degrade(out cause, StabilityCause.Clamped,
+                    FormattableString.Invariant($"{counters.AccelerationLimitHits} accelerations and {counters.DomainClamps} positions ") +
+                    "were clamped");
+            }
             if (scene.Closed && drift > MomentumDrift * Math.Max(scale, floor))
-                return Degrade(out cause, StabilityCause.Drift, FormattableString.Invariant($"the momentum drifted by {Drift:G2} of Σ m|v|"));
+            {
+                return Degrade(out cause, StabilityCause.Drift,
+                    FormattableString.Invariant($"the momentum drifted by {Drift:G2} of Σ m|v|"));
+            }
             return "";
         }
 
-        static string Degrade(out StabilityCause cause, StabilityCause found, string text)
+        private static string Degrade(out StabilityCause cause, StabilityCause found, string text)
         {
             cause = found;
             return text;

@@ -6,51 +6,52 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>
-    /// A border that linear theory predicts and runs measure: a number, the runs about it, and what it should be. The runs are a cubic lattice
-    /// that fills a periodic box without clamp of the pressure, 1e-4 dx beside its places and with speeds of 1e-4 c_eff; and particles that
-    /// rest on the domain's floor.
+    /// A border that linear theory predicts and runs measure: a number, the runs about it, and what it should be. The runs are a cubic
+    /// lattice that fills a periodic box without clamp of the pressure, 1e-4 dx beside its places and with speeds of 1e-4 c_eff; and
+    /// particles that rest on the domain's floor.
     /// </summary>
     public sealed class StabilityLimit
     {
         /// <summary>Relative width of a measured border.</summary>
         public const double Tolerance = 0.01;
 
-        const double Sound = 10.0;
-        const double Disturbance = 1e-4;
+        private const double Sound = 10.0;
+        private const double Disturbance = 1e-4;
 
         // Of the viscous runs: their steps are a hundred times as short, and the displacements in them must not drown in rounding.
-        const double ViscousDisturbance = 1e-2;
+        private const double ViscousDisturbance = 1e-2;
 
-        const int Seed = 1;
+        private const int Seed = 1;
 
         // Beyond the border by ε a wave grows by 2√(2ε) a step, by 0.28 at 1 %: forty steps show it. What unequal kernels feed in at any
         // step grows by up to 0.2 a step, and changes the motion little from one to the next.
-        const int AcousticSteps = 40;
-        const double AcousticGrowth = 30.0;
+        private const int AcousticSteps = 40;
+        private const double AcousticGrowth = 30.0;
 
         // Beyond its border by ε viscosity multiplies by 1 + 2ε a step; one of some hundred modes has to outgrow all that decay.
-        const int ViscousSteps = 500;
-        const double ViscousGrowth = 2.0;
+        private const int ViscousSteps = 500;
+        private const double ViscousGrowth = 2.0;
 
         // A bounded motion just below the border is some ten times the disturbance.
-        const int WallSteps = 300;
-        const double WallGrowth = 300.0;
+        private const int WallSteps = 300;
+        private const double WallGrowth = 300.0;
 
-        static readonly StabilityLimit[] thesis =
-            Acoustic(1.35, 1.40, 2.0, 2.5, 3.0, 4.0).Concat(Viscous(0.115, 0.131, 1.7, 2.0, 3.0, 4.0)).Concat(Walls(0.0, 0.5, 1.0)).ToArray();
+        private static readonly StabilityLimit[] thesis =
+            Acoustic(1.35, 1.40, 2.0, 2.5, 3.0, 4.0).Concat(Viscous(0.115, 0.131, 1.7, 2.0, 3.0, 4.0))
+                .Concat(Walls(0.0, 0.5, 1.0)).ToArray();
 
-        static readonly StabilityLimit[] thesisQuick =
+        private static readonly StabilityLimit[] thesisQuick =
             Acoustic(1.35, 1.40, 2.0, 3.0, 4.0).Concat(Viscous(0.115, 0.131, 2.0, 3.0)).Concat(Walls(0.0, 1.0)).ToArray();
 
-        static readonly StabilityLimit[] standard =
+        private static readonly StabilityLimit[] standard =
             Acoustic(0.86, 0.89, 2.0, 2.25, 2.5, 3.0, 4.0).Concat(Viscous(0.072, 0.077, 2.0, 2.25, 2.5, 3.0, 4.0)).ToArray();
 
-        static readonly StabilityLimit[] standardQuick =
+        private static readonly StabilityLimit[] standardQuick =
             Acoustic(0.86, 0.89, 2.0, 2.25, 2.5, 3.0).Concat(Viscous(0.072, 0.077, 2.25, 3.0)).ToArray();
 
-        readonly Func<double, CaseMethod, CaseSetup> build;
+        private readonly Func<double, CaseMethod, CaseSetup> build;
 
-        StabilityLimit(string name, double kappa, double low, double high, double growth, Func<double, CaseMethod, CaseSetup> build)
+        private StabilityLimit(string name, double kappa, double low, double high, double growth, Func<double, CaseMethod, CaseSetup> build)
         {
             Name = name;
             SupportRatio = kappa;
@@ -80,10 +81,8 @@ namespace SphFluid.Validation
         /// <param name="quick">Whether for the short plan.</param>
         public static IReadOnlyList<StabilityLimit> Of(CaseMethod method, bool quick)
         {
-            if (StabilityTheory.Of(method) == StabilityTheory.Robust)
-                return Array.Empty<StabilityLimit>();
-            if (StabilityTheory.Of(method) == StabilityTheory.Standard)
-                return quick ? standardQuick : standard;
+            if (StabilityTheory.Of(method) == StabilityTheory.Robust) return Array.Empty<StabilityLimit>();
+            if (StabilityTheory.Of(method) == StabilityTheory.Standard) return quick ? standardQuick : standard;
             return quick ? thesisQuick : thesis;
         }
 
@@ -97,14 +96,14 @@ namespace SphFluid.Validation
         public override string ToString() => FormattableString.Invariant($"{Name}, κ {SupportRatio:G3}");
 
         // Ranges by von Neumann over all waves and κ = 2 to 4; derivation: Documentation~/stability.md.
-        static IEnumerable<StabilityLimit> Acoustic(double low, double high, params double[] kappas) => kappas.Select(kappa =>
+        private static IEnumerable<StabilityLimit> Acoustic(double low, double high, params double[] kappas) => kappas.Select(kappa =>
             new StabilityLimit("dt·c/R", kappa, low, high, AcousticGrowth, (value, method) =>
             {
                 double radius = kappa * StabilityConstants.Spacing;
                 return Box(method, kappa, value * radius / Sound, 0.001 * Sound * radius, AcousticSteps, Disturbance);
             }));
 
-        static IEnumerable<StabilityLimit> Viscous(double low, double high, params double[] kappas) => kappas.Select(kappa =>
+        private static IEnumerable<StabilityLimit> Viscous(double low, double high, params double[] kappas) => kappas.Select(kappa =>
             new StabilityLimit("ν·dt/R²", kappa, low, high, ViscousGrowth, (value, method) =>
             {
                 double radius = kappa * StabilityConstants.Spacing, step = 0.01 * radius / Sound;
@@ -112,14 +111,15 @@ namespace SphFluid.Validation
             }));
 
         // x² + 4 ζ x = 4 with x = √k_w dt and c_w = 2 ζ √k_w.
-        static IEnumerable<StabilityLimit> Walls(params double[] ratios) => ratios.Select(ratio =>
+        private static IEnumerable<StabilityLimit> Walls(params double[] ratios) => ratios.Select(ratio =>
         {
             double border = 2.0 * (Math.Sqrt(ratio * ratio + 1.0) - ratio);
-            return new StabilityLimit(FormattableString.Invariant($"√k_w·dt, damping ratio {ratio}"), StabilityTheory.Thesis.SupportRatio, border, border, WallGrowth,
+            return new StabilityLimit(FormattableString.Invariant($"√k_w·dt, damping ratio {ratio}"), StabilityTheory.Thesis.SupportRatio,
+                border, border, WallGrowth,
                 (value, method) => Wall(method, value, ratio));
         });
 
-        static CaseSetup Box(CaseMethod method, double kappa, double timeStep, double viscosity, int steps, double mach)
+        private static CaseSetup Box(CaseMethod method, double kappa, double timeStep, double viscosity, int steps, double mach)
         {
             var run = new StabilityRun { Method = method, Seed = Seed };
             CaseSetup setup = StabilityScenes.Box(run, kappa, Sound, timeStep, viscosity, 0.0).Setup;
@@ -134,7 +134,7 @@ namespace SphFluid.Validation
         }
 
         // Each alone on the floor, near the depth in the wall at which it carries them.
-        static CaseSetup Wall(CaseMethod method, double value, double dampingRatio)
+        private static CaseSetup Wall(CaseMethod method, double value, double dampingRatio)
         {
             const int side = 4;
             const double rate = 100.0, depth = 0.2;
@@ -162,11 +162,13 @@ namespace SphFluid.Validation
             return Finish(setup, positions, Disturbance * rate * distance, step, WallSteps, Vector3.up);
         }
 
-        static CaseSetup Finish(CaseSetup setup, List<Vector3> positions, double speed, double timeStep, int steps, Vector3? only = null)
+        private static CaseSetup Finish(CaseSetup setup, List<Vector3> positions, double speed, double timeStep, int steps,
+            Vector3? only = null)
         {
             var random = new System.Random(Seed);
             float Part() => (float)(speed * (2.0 * random.NextDouble() - 1.0));
-            setup.Particles = CaseLattice.Particles(positions, p => Vector3.Scale(new Vector3(Part(), Part(), Part()), only ?? Vector3.one));
+            setup.Particles =
+                CaseLattice.Particles(positions, p => Vector3.Scale(new Vector3(Part(), Part(), Part()), only ?? Vector3.one));
             setup.Duration = steps * timeStep;
             setup.SampleInterval = timeStep; // the growth is measured from step to step
             return setup;
@@ -190,7 +192,7 @@ namespace SphFluid.Validation
             .Text("date", r => r.Date, (r, v) => r.Date = v);
 
         // What theory is allowed to be off.
-        const double Allowed = 0.05;
+        private const double Allowed = 0.05;
 
         /// <summary>A row that is read from a file.</summary>
         public LimitRow()

@@ -36,8 +36,7 @@ namespace SphFluid.Validation
         /// <param name="count">Number of values, two or more.</param>
         public IReadOnlyList<double> Values(int count)
         {
-            if (count < 2)
-                throw new ArgumentOutOfRangeException(nameof(count), count, "An axis needs two values or more.");
+            if (count < 2) throw new ArgumentOutOfRangeException(nameof(count), count, "An axis needs two values or more.");
             var values = new double[count];
             for (int i = 0; i < count; i++)
             {
@@ -95,16 +94,17 @@ namespace SphFluid.Validation
     /// <summary>A map: two axes, a scene for each cell and the lines that theory draws.</summary>
     public sealed class StabilityMap
     {
-        const string WallTitle = "wall, k_w dt² = 4 − 2 c_w dt";
+        private const string WallTitle = "wall, k_w dt² = 4 − 2 c_w dt";
 
-        static readonly StabilityTheory thesis = StabilityTheory.Thesis, standard = StabilityTheory.Standard;
+        private static readonly StabilityTheory thesis = StabilityTheory.Thesis, standard = StabilityTheory.Standard;
 
         // k_w dt² = 4 − 2 c_w dt with critical damping, c_w = 2 √k_w: √k_w dt = √8 − 2.
-        static readonly double wallBorder = Math.Sqrt(8.0) - 2.0;
+        private static readonly double wallBorder = Math.Sqrt(8.0) - 2.0;
 
-        readonly Func<StabilityRun, StabilityScenario> build;
+        private readonly Func<StabilityRun, StabilityScenario> build;
 
-        StabilityMap(string name, string title, StabilityAxis x, StabilityAxis y, Func<StabilityRun, StabilityScenario> build, params TheoryLine[] lines)
+        private StabilityMap(string name, string title, StabilityAxis x, StabilityAxis y, Func<StabilityRun, StabilityScenario> build,
+            params TheoryLine[] lines)
         {
             Name = name;
             Title = title;
@@ -117,21 +117,29 @@ namespace SphFluid.Validation
         /// <summary>M1 to M6.</summary>
         public static IReadOnlyList<StabilityMap> All { get; } = new[]
         {
-            new StabilityMap("M1", "Column at rest", new StabilityAxis("dt·c/R", 0.05, 2.0), new StabilityAxis("c/√(gH)", 2.0, 40.0), StabilityScenes.Column,
+            new StabilityMap("M1", "Column at rest", new StabilityAxis("dt·c/R", 0.05, 2.0), new StabilityAxis("c/√(gH)", 2.0, 40.0),
+                StabilityScenes.Column,
                 Sound(thesis, y => thesis.AcousticBorder), Sound(standard, y => standard.AcousticBorder),
                 // The wall stops √(2gH) within dx/2: √k_w = 2 √(2gH)/dx.
                 new TheoryLine(thesis, WallTitle, y => wallBorder * y / (Math.Sqrt(8.0) * thesis.SupportRatio))),
-            new StabilityMap("M2", "Periodic box, viscosity", new StabilityAxis("ν·dt/R²", 0.005, 0.3), new StabilityAxis("dt·c/R", 0.05, 2.0), StabilityScenes.ViscousBox,
+            new StabilityMap("M2", "Periodic box, viscosity", new StabilityAxis("ν·dt/R²", 0.005, 0.3),
+                new StabilityAxis("dt·c/R", 0.05, 2.0), StabilityScenes.ViscousBox,
                 Viscosity(thesis), Viscosity(standard), SoundLevel(thesis), SoundLevel(standard)),
-            new StabilityMap("M3", "Two blocks collide", new StabilityAxis("dt·v/dx", 0.05, 2.0), new StabilityAxis("c/v", 2.0, 40.0), StabilityScenes.Collision,
-                Sound(thesis, y => thesis.AcousticBorder * thesis.SupportRatio / y), Sound(standard, y => standard.AcousticBorder * standard.SupportRatio / y)),
-            new StabilityMap("M4", "Periodic box under pressure", new StabilityAxis("P/(ρc²)", -0.1, 0.3, false), new StabilityAxis("κ = R/dx", 1.7, 4.0, false),
+            new StabilityMap("M3", "Two blocks collide", new StabilityAxis("dt·v/dx", 0.05, 2.0), new StabilityAxis("c/v", 2.0, 40.0),
+                StabilityScenes.Collision,
+                Sound(thesis, y => thesis.AcousticBorder * thesis.SupportRatio / y),
+                Sound(standard, y => standard.AcousticBorder * standard.SupportRatio / y)),
+            new StabilityMap("M4", "Periodic box under pressure", new StabilityAxis("P/(ρc²)", -0.1, 0.3, false),
+                new StabilityAxis("κ = R/dx", 1.7, 4.0, false),
                 StabilityScenes.PressedBox),
-            new StabilityMap("M5", "Spray hits a slab", new StabilityAxis("v·dt/dx", 0.05, 2.0), new StabilityAxis("thickness/dx", 0.1, 4.0), StabilityScenes.Spray,
+            new StabilityMap("M5", "Spray hits a slab", new StabilityAxis("v·dt/dx", 0.05, 2.0),
+                new StabilityAxis("thickness/dx", 0.1, 4.0), StabilityScenes.Spray,
                 // The wall stops v within dx/2: √k_w = 2 v/dx.
                 new TheoryLine(thesis, WallTitle, y => 0.5 * wallBorder), Advised(thesis), Advised(standard)),
-            new StabilityMap("M6", "Two drops collide", new StabilityAxis("dt·v/dx", 0.05, 2.0), new StabilityAxis("c/v", 2.0, 40.0), StabilityScenes.Drops,
-                Sound(thesis, y => thesis.AcousticBorder * thesis.SupportRatio / y), Sound(standard, y => standard.AcousticBorder * standard.SupportRatio / y)),
+            new StabilityMap("M6", "Two drops collide", new StabilityAxis("dt·v/dx", 0.05, 2.0), new StabilityAxis("c/v", 2.0, 40.0),
+                StabilityScenes.Drops,
+                Sound(thesis, y => thesis.AcousticBorder * thesis.SupportRatio / y),
+                Sound(standard, y => standard.AcousticBorder * standard.SupportRatio / y)),
         };
 
         /// <summary>Name on the command line: M1 to M6.</summary>
@@ -153,16 +161,19 @@ namespace SphFluid.Validation
         /// <param name="run">Cell, method, seed, clamps and most steps.</param>
         public StabilityScenario Build(StabilityRun run) => build(run).Cut(run.MostSteps);
 
-        static TheoryLine Sound(StabilityTheory theory, Func<double, double> x) => new TheoryLine(theory, SoundTitle(theory), x);
+        private static TheoryLine Sound(StabilityTheory theory, Func<double, double> x) => new TheoryLine(theory, SoundTitle(theory), x);
 
-        static TheoryLine SoundLevel(StabilityTheory theory) => new TheoryLine(theory, SoundTitle(theory), theory.AcousticBorder);
+        private static TheoryLine SoundLevel(StabilityTheory theory) => new TheoryLine(theory, SoundTitle(theory), theory.AcousticBorder);
 
-        static string SoundTitle(StabilityTheory theory) => FormattableString.Invariant($"sound, dt·c/R = {theory.AcousticBorder:G3}");
+        private static string SoundTitle(StabilityTheory theory) =>
+            FormattableString.Invariant($"sound, dt·c/R = {theory.AcousticBorder:G3}");
 
-        static TheoryLine Viscosity(StabilityTheory theory) =>
-            new TheoryLine(theory, FormattableString.Invariant($"viscosity, ν·dt/R² = {theory.ViscousBorder:G3}"), y => theory.ViscousBorder);
+        private static TheoryLine Viscosity(StabilityTheory theory) =>
+            new TheoryLine(theory, FormattableString.Invariant($"viscosity, ν·dt/R² = {theory.ViscousBorder:G3}"),
+                y => theory.ViscousBorder);
 
-        static TheoryLine Advised(StabilityTheory theory) =>
-            new TheoryLine(theory, FormattableString.Invariant($"advised, v·dt/dx = {TimeStepAdvice.SpeedLimit}"), y => TimeStepAdvice.SpeedLimit);
+        private static TheoryLine Advised(StabilityTheory theory) =>
+            new TheoryLine(theory, FormattableString.Invariant($"advised, v·dt/dx = {TimeStepAdvice.SpeedLimit}"),
+                y => TimeStepAdvice.SpeedLimit);
     }
 }

@@ -82,7 +82,7 @@ namespace SphFluid.Validation
     /// <summary>Letters and words of the causes in tables and pictures: upper case for failed, lower case for degraded.</summary>
     public static class StabilityLegend
     {
-        static readonly (StabilityCause Cause, string Letter, string Name, string Title)[] entries =
+        private static readonly (StabilityCause Cause, string Letter, string Name, string Title)[] entries =
         {
             (StabilityCause.None, "", "", ""),
             (StabilityCause.NotFinite, "N", "not-finite", "not finite"),
@@ -117,6 +117,7 @@ namespace SphFluid.Validation
             return index >= 0 ? entries[index].Cause : throw new FormatException($"there is no cause '{name}'");
         }
 
-        static (StabilityCause Cause, string Letter, string Name, string Title) Entry(StabilityCause cause) => entries.First(e => e.Cause == cause);
+        private static (StabilityCause Cause, string Letter, string Name, string Title) Entry(StabilityCause cause) =>
+            entries.First(e => e.Cause == cause);
     }
 }

@@ -11,22 +11,22 @@ namespace SphFluid.Validation
     /// </summary>
     public sealed class StabilityPlan
     {
-        const int FullSeeds = 3;
+        private const int FullSeeds = 3;
 
         // Columns and rows.
-        static readonly IReadOnlyDictionary<string, (int X, int Y)> quickCells = new Dictionary<string, (int X, int Y)>
+        private static readonly IReadOnlyDictionary<string, (int X, int Y)> quickCells = new Dictionary<string, (int X, int Y)>
         {
             ["M1"] = (9, 5), ["M2"] = (9, 8), ["M3"] = (9, 7), ["M4"] = (9, 5), ["M5"] = (9, 7), ["M6"] = (9, 7),
         };
 
-        static readonly IReadOnlyDictionary<string, (int X, int Y)> fullCells = new Dictionary<string, (int X, int Y)>
+        private static readonly IReadOnlyDictionary<string, (int X, int Y)> fullCells = new Dictionary<string, (int X, int Y)>
         {
             ["M1"] = (17, 9), ["M2"] = (17, 15), ["M3"] = (17, 13), ["M4"] = (17, 8), ["M5"] = (17, 13), ["M6"] = (17, 13),
         };
 
-        readonly List<StabilityRun> runs = new List<StabilityRun>();
-        readonly List<StabilityRun> clamped = new List<StabilityRun>();
-        readonly List<(StabilityLimit Limit, CaseMethod Method)> limits = new List<(StabilityLimit, CaseMethod)>();
+        private readonly List<StabilityRun> runs = new List<StabilityRun>();
+        private readonly List<StabilityRun> clamped = new List<StabilityRun>();
+        private readonly List<(StabilityLimit Limit, CaseMethod Method)> limits = new List<(StabilityLimit, CaseMethod)>();
 
         /// <summary>Runs of the principal maps.</summary>
         public IReadOnlyList<StabilityRun> Runs => runs;
@@ -53,12 +53,17 @@ namespace SphFluid.Validation
                     {
                         (int x, int y) = (arguments.Quick ? quickCells : fullCells)[map.Name];
                         foreach (CaseMethod method in arguments.Methods.Where(m => !clamps || StabilityTheory.Of(m).HasAccelerationLimit))
+                        {
                             (clamps ? plan.clamped : plan.runs).AddRange(Cells(map, method, x, y, seed, clamps, mostSteps));
+                        }
                     }
                 }
             }
             if (arguments.Limits)
-                plan.limits.AddRange(from method in arguments.Methods from limit in StabilityLimit.Of(method, arguments.Quick) select (limit, method));
+            {
+                plan.limits.AddRange(from method in arguments.Methods from limit in StabilityLimit.Of(method, arguments.Quick)
+                                     select (limit, method));
+            }
             return plan;
         }
 
@@ -66,9 +71,10 @@ namespace SphFluid.Validation
         public const double QuickSteps = 500.0;
 
         // On a device that is a CPU, and on others.
-        const double SoftwareSteps = 4000.0, FullSteps = 100000.0;
+        private const double SoftwareSteps = 4000.0, FullSteps = 100000.0;
 
-        static IEnumerable<StabilityRun> Cells(StabilityMap map, CaseMethod method, int columns, int rows, int seed, bool clamps, double mostSteps) =>
+        private static IEnumerable<StabilityRun> Cells(StabilityMap map, CaseMethod method, int columns, int rows, int seed, bool clamps,
+            double mostSteps) =>
             from y in map.Y.Values(rows)
             from x in map.X.Values(columns)
             select new StabilityRun { Map = map, Method = method, X = x, Y = y, Seed = seed, Clamps = clamps, MostSteps = mostSteps };
@@ -78,9 +84,9 @@ namespace SphFluid.Validation
     public sealed class StabilityRun
     {
         // Work that a step has whatever the number of particles, in particles.
-        const double StepOverhead = 1500.0;
+        private const double StepOverhead = 1500.0;
 
-        StabilityScenario built;
+        private StabilityScenario built;
 
         /// <summary>The map.</summary>
         public StabilityMap Map { get; set; }
@@ -116,7 +122,8 @@ namespace SphFluid.Validation
             {
                 built = built ?? Build();
                 double ratio = built.Setup.Settings.SupportRadius / built.Setup.Settings.Spacing / 2.0;
-                return built.Setup.Duration / built.Setup.Settings.TimeStep * (built.Setup.Particles.Length * (0.4 + 0.6 * ratio * ratio * ratio) + StepOverhead);
+                return built.Setup.Duration / built.Setup.Settings.TimeStep *
+                    (built.Setup.Particles.Length * (0.4 + 0.6 * ratio * ratio * ratio) + StepOverhead);
             }
         }
 

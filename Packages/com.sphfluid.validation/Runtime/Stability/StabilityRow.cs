@@ -60,7 +60,7 @@ namespace SphFluid.Validation
         /// <summary>Equal to the key of its run.</summary>
         public override string Key => StabilityRun.KeyOf(Map, Method, X, Y, Seed, Clamps);
 
-        static StabilityVerdict VerdictOf(string name) =>
+        private static StabilityVerdict VerdictOf(string name) =>
             Enum.TryParse(name, true, out StabilityVerdict verdict) ? verdict : throw new FormatException($"there is no verdict '{name}'");
     }
 }

@@ -13,11 +13,11 @@ namespace SphFluid.Validation
         /// <summary>Makes the work of a run, which hands over its result.</summary>
         internal delegate IEnumerator Runner(CaseSetup setup, CaseMetric metric, Action<CaseResult> done);
 
-        readonly FluidShaderSet shaders; // null for runs that are made up
-        readonly StabilityPlan plan;
-        readonly Runner runner;
-        readonly ResultTable<StabilityRow> table;
-        readonly ResultTable<LimitRow> limits;
+        private readonly FluidShaderSet shaders; // null for runs that are made up
+        private readonly StabilityPlan plan;
+        private readonly Runner runner;
+        private readonly ResultTable<StabilityRow> table;
+        private readonly ResultTable<LimitRow> limits;
 
         /// <summary>Prepares a session; nothing is run yet.</summary>
         /// <param name="arguments">What to measure.</param>
@@ -26,7 +26,8 @@ namespace SphFluid.Validation
         /// <exception cref="CommandLineException">The folder has tables that cannot be continued.</exception>
         /// <exception cref="FluidDeviceException">There are no shaders.</exception>
         public StabilitySession(StabilityArguments arguments, FluidShaderSet shaders, SessionProgress progress)
-            : this(arguments, StabilityPlan.Of(arguments, FluidSupport.IsSoftwareDevice), RunnerOf(shaders), progress, SystemInfo.graphicsDeviceName)
+            : this(arguments, StabilityPlan.Of(arguments, FluidSupport.IsSoftwareDevice), RunnerOf(shaders), progress,
+                SystemInfo.graphicsDeviceName)
         {
             this.shaders = shaders;
         }
@@ -57,8 +58,7 @@ namespace SphFluid.Validation
 
         private protected override IEnumerator Begin()
         {
-            if (shaders != null)
-                yield return Calibrate(shaders, StabilityRun.CostOfStep);
+            if (shaders != null) yield return Calibrate(shaders, StabilityRun.CostOfStep);
         }
 
         private protected override void Draw()
@@ -69,16 +69,18 @@ namespace SphFluid.Validation
                                                    where rows.Count > 0
                                                    select new StabilityScript(map, rows, clamps);
             string problem = GnuplotScript.Draw(Folder, scripts);
-            Progress.Say(problem ?? $"{StabilityRow.Format.FileName}, {LimitRow.Format.FileName} and a picture a map, stability-m1.png and so on, are in '{Folder}'.");
+            Progress.Say(problem ??
+                $"{StabilityRow.Format.FileName}, {LimitRow.Format.FileName} and a picture a map, stability-m1.png and so on, are in " +
+                $"'{Folder}'.");
         }
 
-        static Runner RunnerOf(FluidShaderSet shaders)
+        private static Runner RunnerOf(FluidShaderSet shaders)
         {
             SessionAssets.Require(shaders, "The stability maps have");
             return (setup, metric, done) => RunOnGpu(setup, metric, shaders, done);
         }
 
-        static IEnumerator RunOnGpu(CaseSetup setup, CaseMetric metric, FluidShaderSet shaders, Action<CaseResult> done)
+        private static IEnumerator RunOnGpu(CaseSetup setup, CaseMetric metric, FluidShaderSet shaders, Action<CaseResult> done)
         {
             using (var run = new CaseRun(setup, metric, shaders))
             {
@@ -87,10 +89,11 @@ namespace SphFluid.Validation
             }
         }
 
-        SessionJob Cell(StabilityRun run) => new SessionJob(run.ToString(), run.Cost, () => table.Contains(run.Key), () => RunCell(run),
+        private SessionJob Cell(StabilityRun run) =>
+            new SessionJob(run.ToString(), run.Cost, () => table.Contains(run.Key), () => RunCell(run),
             key: ShardedTable.RunKey(StabilityRow.Format, run.Key));
 
-        SessionJob Border(StabilityLimit limit, CaseMethod method)
+        private SessionJob Border(StabilityLimit limit, CaseMethod method)
         {
             const double trials = 10.0;
             CaseSetup setup = limit.Build(limit.TheoryLow, method);
@@ -100,7 +103,7 @@ namespace SphFluid.Validation
                 key: ShardedTable.RunKey(LimitRow.Format, key));
         }
 
-        IEnumerator RunCell(StabilityRun run)
+        private IEnumerator RunCell(StabilityRun run)
         {
             StabilityScenario scene = run.Build();
             var criterion = new StabilityCriterion(scene);
@@ -108,14 +111,14 @@ namespace SphFluid.Validation
             yield return runner(scene.Setup, criterion, r => result = r);
             double share = scene.Setup.Duration / scene.RequestedDuration;
             string cut = scene.IsCut
-                ? FormattableString.Invariant($"{StabilityScenario.CutText} of {result.Steps} steps at {share:P0} of {scene.RequestedDuration:G3} s")
+                ? FormattableString.Invariant($"{StabilityScenario.CutText} of {result.Steps} steps at {share:P0} of ") +
+                    FormattableString.Invariant($"{scene.RequestedDuration:G3} s")
                 : "";
             table.Add(new StabilityRow(run, criterion.Conclude(result, cut)));
-            if (run.X.Equals(run.Map.X.High))
-                Progress.Say(Line(run));
+            if (run.X.Equals(run.Map.X.High)) Progress.Say(Line(run));
         }
 
-        IEnumerator Bisect(StabilityLimit limit, CaseMethod method)
+        private IEnumerator Bisect(StabilityLimit limit, CaseMethod method)
         {
             Bisection search = limit.Search();
             while (!search.IsDone)
@@ -127,17 +130,20 @@ namespace SphFluid.Validation
             }
             var row = new LimitRow(limit, method, search);
             limits.Add(row);
-            Progress.Say(string.Format(CultureInfo.InvariantCulture, "border {0}, {1}: {2:G4} to {3:G4}, theory {4:G4} to {5:G4}{6}", limit, method.Name,
+            Progress.Say(string.Format(CultureInfo.InvariantCulture, "border {0}, {1}: {2:G4} to {3:G4}, theory {4:G4} to {5:G4}{6}", limit,
+                method.Name,
                 row.MeasuredLow, row.MeasuredHigh, row.TheoryLow, row.TheoryHigh, row.IsWithin ? "" : ", OUTSIDE 5 %"));
         }
 
         // A finished line of a map: "M1, thesis, c/√(gH) 10: ······EEV".
-        string Line(StabilityRun run)
+        private string Line(StabilityRun run)
         {
             IEnumerable<string> letters = table.Rows
-                .Where(r => r.Map == run.Map.Name && r.Method == run.Method.Name && r.Clamps == run.Clamps && r.Seed == run.Seed && CsvText.Text(r.Y) == CsvText.Text(run.Y))
+                .Where(r => r.Map == run.Map.Name && r.Method == run.Method.Name && r.Clamps == run.Clamps && r.Seed == run.Seed &&
+                    CsvText.Text(r.Y) == CsvText.Text(run.Y))
                 .OrderBy(r => r.X).Select(r => r.Outcome.Cause == StabilityCause.None ? "·" : StabilityLegend.Letter(r.Outcome.Cause));
-            return string.Format(CultureInfo.InvariantCulture, "{0}, {1}, {2} {3,5:G3}: {4}{5}", run.Map.Name, run.Method.Name, run.Map.Y.Title, run.Y,
+            return string.Format(CultureInfo.InvariantCulture, "{0}, {1}, {2} {3,5:G3}: {4}{5}", run.Map.Name, run.Method.Name,
+                run.Map.Y.Title, run.Y,
                 string.Concat(letters), run.Clamps ? "  (with clamps)" : "");
         }
     }

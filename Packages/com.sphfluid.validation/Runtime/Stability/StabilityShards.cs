@@ -1,7 +1,7 @@
 namespace SphFluid.Validation
 {
     /// <summary>How the shards of stability maps become the whole.</summary>
-    static class StabilityShards
+    internal static class StabilityShards
     {
         /// <summary>Tables, and the session that draws.</summary>
         public static ShardedVerb Verb { get; } = new ShardedVerb("stability",

@@ -21,14 +21,15 @@ namespace SphFluid.Validation
         };
 
         /// <summary>
-        /// The Robust method, to which no linear theory sets a border: its maps have the axes of the Standard method, and are to be compared with those.
+        /// The Robust method, to which no linear theory sets a border: its maps have the axes of the Standard method, and are to be
+        /// compared with those.
         /// </summary>
         public static readonly StabilityTheory Robust = new StabilityTheory
         {
             SupportRatio = 2.25, WaveSpeedRatio = 1.0, AcousticBorder = 0.876, ViscousBorder = 0.0756,
         };
 
-        StabilityTheory()
+        private StabilityTheory()
         {
         }
 

@@ -6,15 +6,16 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>Balls, a ring, drops and a splash in air.</summary>
-    static class BodyStates
+    internal static class BodyStates
     {
-        const double SphereRadius = 8.0, RingRadius = 8.0, TubeRadius = 3.0, SmallRadius = 5.0;
-        const double Jitter = 0.05;
+        private const double SphereRadius = 8.0, RingRadius = 8.0, TubeRadius = 3.0, SmallRadius = 5.0;
+        private const double Jitter = 0.05;
 
         /// <summary>A ball of radius 8 dx, cut from a lattice.</summary>
         public static SurfaceState Sphere(SurfaceScale scale)
         {
-            SurfaceState state = scale.Of(24f * Vector3.one, Jittered(CaseLattice.Ball(SphereRadius, 1.0), 3).Select(p => p + 12f * Vector3.one));
+            SurfaceState state =
+                scale.Of(24f * Vector3.one, Jittered(CaseLattice.Ball(SphereRadius, 1.0), 3).Select(p => p + 12f * Vector3.one));
             state.Normal = p => p.normalized;
             return state;
         }
@@ -22,7 +23,8 @@ namespace SphFluid.Validation
         /// <summary>A ring of radius 8 dx with a tube of radius 3 dx.</summary>
         public static SurfaceState Torus(SurfaceScale scale)
         {
-            List<Vector3> places = CaseLattice.Ball(RingRadius + TubeRadius, 1.0).Where(p => FromRing(p, RingRadius).magnitude <= TubeRadius).ToList();
+            List<Vector3> places = CaseLattice.Ball(RingRadius + TubeRadius, 1.0)
+                .Where(p => FromRing(p, RingRadius).magnitude <= TubeRadius).ToList();
             SurfaceState state = scale.Of(new Vector3(30f, 15f, 30f), Jittered(places, 4).Select(p => p + new Vector3(15f, 7.5f, 15f)));
             state.Normal = p => FromRing(p, RingRadius * SurfaceScale.Spacing).normalized;
             return state;
@@ -55,7 +57,9 @@ namespace SphFluid.Validation
             var random = new System.Random(1);
             List<Vector3> places = CaseLattice.Box(new Vector3Int(4, 3, 4), 6.0, 3f * Vector3.one);
             for (int i = 0; i < places.Count; i++)
+            {
                 places[i] += new Vector3((float)random.NextDouble(), (float)random.NextDouble(), (float)random.NextDouble());
+            }
             SurfaceState state = scale.Of(new Vector3(30f, 24f, 30f), places);
             state.Drops = state.Frames[0];
             return state;
@@ -70,11 +74,16 @@ namespace SphFluid.Validation
             CaseLattice.Jitter(places, 0.15, 3, float.MaxValue * Vector3.one);
             for (int i = 0; i < crown; i++)
             {
-                double angle = 2.0 * Math.PI * random.NextDouble(), radius = 5.0 + 0.7 * CaseLattice.Normal(random), height = 5.0 + 3.0 * Math.Abs(CaseLattice.Normal(random));
+                double angle = 2.0 * Math.PI * random.NextDouble(), radius = 5.0 + 0.7 * CaseLattice.Normal(random),
+                    height = 5.0 + 3.0 * Math.Abs(CaseLattice.Normal(random));
                 places.Add(new Vector3((float)(12.0 + radius * Math.Cos(angle)), (float)height, (float)(12.0 + radius * Math.Sin(angle))));
             }
             for (int i = 0; i < drops; i++)
-                places.Add(new Vector3(24f * (float)random.NextDouble(), 5f + 12f * (float)random.NextDouble(), 24f * (float)random.NextDouble()));
+            {
+                places
+                    .Add(new Vector3(24f * (float)random.NextDouble(), 5f + 12f * (float)random.NextDouble(),
+                        24f * (float)random.NextDouble()));
+            }
             SurfaceState state = scale.Of(new Vector3(33f, 27f, 33f), places.Select(p => p + 4.5f * Vector3.one));
             state.Drops = Lone(state.Frames[0], state.Settings.SupportRadius);
             return state;
@@ -96,13 +105,14 @@ namespace SphFluid.Validation
             return p - (float)radius * outwards;
         }
 
-        static Vector3[] Lone(Vector3[] positions, float reach)
+        private static Vector3[] Lone(Vector3[] positions, float reach)
         {
             var cells = new CellLists(positions, reach);
-            return Enumerable.Range(0, positions.Length).Where(i => cells.CountWithin(positions, i, reach) == 0).Select(i => positions[i]).ToArray();
+            return Enumerable.Range(0, positions.Length).Where(i => cells.CountWithin(positions, i, reach) == 0)
+                .Select(i => positions[i]).ToArray();
         }
 
-        static List<Vector3> Jittered(List<Vector3> places, int seed)
+        private static List<Vector3> Jittered(List<Vector3> places, int seed)
         {
             CaseLattice.Jitter(places, Jitter, seed, float.MaxValue * Vector3.one);
             return places;

@@ -6,7 +6,7 @@ namespace SphFluid.Validation
     /// <summary>What the heights of a raster of columns say; columns that missed the mesh are left out.</summary>
     public readonly struct ColumnStatistics
     {
-        ColumnStatistics(double covered, double mean, double rms, double slope)
+        private ColumnStatistics(double covered, double mean, double rms, double slope)
         {
             Covered = covered;
             Mean = mean;
@@ -36,15 +36,13 @@ namespace SphFluid.Validation
             int count = 0;
             foreach (double height in heights)
             {
-                if (double.IsNaN(height))
-                    continue;
+                if (double.IsNaN(height)) continue;
                 sum += height;
                 count++;
             }
             double mean = sum / count;
             double squares = 0.0;
-            foreach (double height in heights)
-                squares += double.IsNaN(height) ? 0.0 : (height - mean) * (height - mean);
+            foreach (double height in heights) squares += double.IsNaN(height) ? 0.0 : (height - mean) * (height - mean);
             double alongX = SquaredSlope(heights, across, 1, spacing), alongZ = SquaredSlope(heights, across, across, spacing);
             return new ColumnStatistics((double)count / heights.Length, mean, Math.Sqrt(squares / count), Math.Sqrt(alongX + alongZ));
         }
@@ -65,8 +63,7 @@ namespace SphFluid.Validation
                 for (int i = 0; i < frames[frame].Length; i++)
                 {
                     double before = frames[frame][i] - frames[frame - 1][i], after = frames[frame + 1][i] - frames[frame][i];
-                    if (!(Math.Abs(before) < largestStep && Math.Abs(after) < largestStep))
-                        continue;
+                    if (!(Math.Abs(before) < largestStep && Math.Abs(after) < largestStep)) continue;
                     squares += (after - before) * (after - before);
                     count++;
                 }
@@ -74,15 +71,14 @@ namespace SphFluid.Validation
             return Math.Sqrt(squares / count);
         }
 
-        static double SquaredSlope(double[] heights, int across, int step, double spacing)
+        private static double SquaredSlope(double[] heights, int across, int step, double spacing)
         {
             double squares = 0.0;
             int count = 0;
             for (int i = 0; i + step < heights.Length; i++)
             {
                 double rise = heights[i + step] - heights[i];
-                if (double.IsNaN(rise) || step == 1 && i % across == across - 1)
-                    continue;
+                if (double.IsNaN(rise) || step == 1 && i % across == across - 1) continue;
                 double degrees = Math.Atan(rise / spacing) * 180.0 / Math.PI;
                 squares += degrees * degrees;
                 count++;

@@ -9,25 +9,26 @@ namespace SphFluid.Validation
     /// How the faces of a marching-cubes cube lie, and the outlines that a surface draws on them. Corners and edges have Bourke's
     /// numbers, as in <see cref="MarchingCubesTables"/>; the outlines are found here by themselves.
     /// </summary>
-    static class CubeFaceRules
+    internal static class CubeFaceRules
     {
-        const int Cases = 256, Edges = 12;
+        private const int Cases = 256, Edges = 12;
 
         // Bourke's corners go round the lower layer, then round the upper one.
-        static readonly Vector3Int[] offsets =
+        private static readonly Vector3Int[] offsets =
         {
             new Vector3Int(0, 0, 0), new Vector3Int(1, 0, 0), new Vector3Int(1, 1, 0), new Vector3Int(0, 1, 0),
             new Vector3Int(0, 0, 1), new Vector3Int(1, 0, 1), new Vector3Int(1, 1, 1), new Vector3Int(0, 1, 1),
         };
 
         // Corners of lower z, upper z, lower y, upper y, lower x, upper x, round each face in one sense seen from outside.
-        static readonly int[][] faces =
+        private static readonly int[][] faces =
         {
-            new[] { 0, 3, 2, 1 }, new[] { 4, 5, 6, 7 }, new[] { 0, 1, 5, 4 }, new[] { 3, 7, 6, 2 }, new[] { 0, 4, 7, 3 }, new[] { 1, 2, 6, 5 },
+            new[] { 0, 3, 2, 1 }, new[] { 4, 5, 6, 7 }, new[] { 0, 1, 5, 4 }, new[] { 3, 7, 6, 2 }, new[] { 0, 4, 7, 3 },
+            new[] { 1, 2, 6, 5 },
         };
 
         // A bit a face for each case.
-        static readonly int[] cutByOneLoop = Enumerable.Range(0, Cases).Select(FindCutByOneLoop).ToArray();
+        private static readonly int[] cutByOneLoop = Enumerable.Range(0, Cases).Select(FindCutByOneLoop).ToArray();
 
         /// <summary>Number of faces.</summary>
         public static int Count => faces.Length;
@@ -69,11 +70,11 @@ namespace SphFluid.Validation
                 // Round the face, cut edges leave the liquid and enter it in turn. An outline runs from the edge that enters to the one
                 // before it that leaves: it cuts off what is outside between them. To keep the inside apart it comes from the other one.
                 int[] corners = faces[face];
-                List<int> cut = Enumerable.Range(0, 4).Where(i => IsInside(index, corners[i]) != IsInside(index, corners[(i + 1) % 4])).ToList();
+                List<int> cut = Enumerable.Range(0, 4).Where(i => IsInside(index, corners[i]) != IsInside(index, corners[(i + 1) % 4]))
+                    .ToList();
                 for (int k = 0; k < cut.Count; k++)
                 {
-                    if (!IsInside(index, corners[cut[k]]))
-                        continue;
+                    if (!IsInside(index, corners[cut[k]])) continue;
                     int other = cut[(k + ((separated >> face & 1) != 0 ? cut.Count - 1 : 1)) % cut.Count];
                     after[EdgeOf(corners, other)] = EdgeOf(corners, cut[k]);
                 }
@@ -89,18 +90,17 @@ namespace SphFluid.Validation
                     outline.Add(edge);
                 }
 
-                if (outline.Count > 0)
-                    outlines.Add(outline);
+                if (outline.Count > 0) outlines.Add(outline);
             }
 
             return outlines;
         }
 
-        static bool IsInside(int index, int corner) => (index >> corner & 1) == 0;
+        private static bool IsInside(int index, int corner) => (index >> corner & 1) == 0;
 
-        static int EdgeOf(int[] corners, int side) => EdgeBetween(corners[side], corners[(side + 1) % 4]);
+        private static int EdgeOf(int[] corners, int side) => EdgeBetween(corners[side], corners[(side + 1) % 4]);
 
-        static int FindCutByOneLoop(int index)
+        private static int FindCutByOneLoop(int index)
         {
             List<List<int>> outlines = Outlines(index);
             return Enumerable.Range(0, Count)

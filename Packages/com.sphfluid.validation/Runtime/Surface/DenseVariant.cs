@@ -3,11 +3,11 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>A field at all vertices of a grid over the domain, and marching cubes.</summary>
-    abstract class DenseVariant : SurfaceVariant
+    internal abstract class DenseVariant : SurfaceVariant
     {
-        readonly FluidShaderSet shaders;
-        readonly SurfacePolygoniser polygoniser;
-        SurfaceField field;
+        private readonly FluidShaderSet shaders;
+        private readonly SurfacePolygoniser polygoniser;
+        private SurfaceField field;
 
         protected DenseVariant(FluidShaderSet shaders, float cell)
             : base(cell)

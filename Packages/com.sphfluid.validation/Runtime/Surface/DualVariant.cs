@@ -4,10 +4,10 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>The sparse surface's field with dual marching cubes on the CPU in the place of marching cubes.</summary>
-    sealed class DualVariant : SurfaceVariant
+    internal sealed class DualVariant : SurfaceVariant
     {
-        readonly FluidSurfaceQuality quality;
-        readonly SparseFieldReader reader;
+        private readonly FluidSurfaceQuality quality;
+        private readonly SparseFieldReader reader;
 
         public DualVariant(FluidShaderSet shaders, FluidSurfaceQuality quality, float cell)
             : base(cell)

@@ -4,12 +4,12 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>Fields that are known everywhere, for what turns a field into triangles.</summary>
-    static class FieldStates
+    internal static class FieldStates
     {
-        const float Edge = 24f, SphereRadius = 10f, RingRadius = 8f, TubeRadius = 3f, NoiseRadius = 9f; // dx
+        private const float Edge = 24f, SphereRadius = 10f, RingRadius = 8f, TubeRadius = 3f, NoiseRadius = 9f; // dx
 
         // Rise of the fields towards the inside, 1/dx: no value is cut off at 0 within 2.5 dx of the surface.
-        const float Slope = 0.2f;
+        private const float Slope = 0.2f;
 
         /// <summary>Distance from a sphere of radius 10 dx.</summary>
         public static SurfaceState Sphere(SurfaceScale scale) =>
@@ -29,7 +29,7 @@ namespace SphFluid.Validation
             return state;
         }
 
-        static SurfaceState Known(SurfaceScale scale, double volume, Func<Vector3, float> distance, Func<Vector3, Vector3> normal)
+        private static SurfaceState Known(SurfaceScale scale, double volume, Func<Vector3, float> distance, Func<Vector3, Vector3> normal)
         {
             SurfaceState state = Of(scale);
             float dx = state.Spacing;
@@ -40,6 +40,6 @@ namespace SphFluid.Validation
         }
 
         // Solvers want a particle.
-        static SurfaceState Of(SurfaceScale scale) => scale.Of(Edge * Vector3.one, new[] { 0.5f * Edge * Vector3.one });
+        private static SurfaceState Of(SurfaceScale scale) => scale.Of(Edge * Vector3.one, new[] { 0.5f * Edge * Vector3.one });
     }
 }

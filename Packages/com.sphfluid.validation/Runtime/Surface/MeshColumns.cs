@@ -7,9 +7,9 @@ namespace SphFluid.Validation
     public sealed class MeshColumns
     {
         // Columns never lie in planes of a cell grid that starts at the raster's corner, where they would hit edges of triangles.
-        const double Offset = 0.37;
+        private const double Offset = 0.37;
 
-        readonly double left, back, spacing;
+        private readonly double left, back, spacing;
 
         /// <summary>A raster.</summary>
         /// <param name="region">The region in x and z [m]: its x and y.</param>
@@ -21,7 +21,10 @@ namespace SphFluid.Validation
             Across = CountIn(region.width);
             Deep = CountIn(region.height);
             if (Across < 1 || Deep < 1)
-                throw new ArgumentException($"A raster of columns {spacing} m apart has none in {region}. Choose a larger region.", nameof(region));
+            {
+                throw new ArgumentException($"A raster of columns {spacing} m apart has none in {region}. Choose a larger region.",
+                    nameof(region));
+            }
         }
 
         /// <summary>Columns along x.</summary>
@@ -36,40 +39,39 @@ namespace SphFluid.Validation
         public double[] Heights(SurfaceMesh mesh)
         {
             var heights = new double[Across * Deep];
-            for (int i = 0; i < heights.Length; i++)
-                heights[i] = double.NaN;
+            for (int i = 0; i < heights.Length; i++) heights[i] = double.NaN;
             for (int i = 0; i < mesh.Indices.Length; i += 3)
+            {
                 Raise(heights, mesh.Positions[mesh.Indices[i]], mesh.Positions[mesh.Indices[i + 1]], mesh.Positions[mesh.Indices[i + 2]]);
+            }
             return heights;
         }
 
-        void Raise(double[] heights, Vector3 a, Vector3 b, Vector3 c)
+        private void Raise(double[] heights, Vector3 a, Vector3 b, Vector3 c)
         {
             double area = Twice(a, b, c.x, c.z);
-            if (area == 0.0)
-                return;
+            if (area == 0.0) return;
             int lastX = Last(Math.Max(a.x, Math.Max(b.x, c.x)), left, Across), lastZ = Last(Math.Max(a.z, Math.Max(b.z, c.z)), back, Deep);
             for (int iz = First(Math.Min(a.z, Math.Min(b.z, c.z)), back); iz <= lastZ; iz++)
                 for (int ix = First(Math.Min(a.x, Math.Min(b.x, c.x)), left); ix <= lastX; ix++)
                 {
                     double x = left + ix * spacing, z = back + iz * spacing;
                     double u = Twice(b, c, x, z) / area, v = Twice(c, a, x, z) / area, w = 1.0 - u - v;
-                    if (u < 0.0 || v < 0.0 || w < 0.0)
-                        continue;
+                    if (u < 0.0 || v < 0.0 || w < 0.0) continue;
                     double height = u * a.y + v * b.y + w * c.y;
                     int column = iz * Across + ix;
-                    if (!(heights[column] >= height))
-                        heights[column] = height;
+                    if (!(heights[column] >= height)) heights[column] = height;
                 }
         }
 
-        int First(double least, double origin) => (int)Math.Max(0.0, Math.Ceiling((least - origin) / spacing));
+        private int First(double least, double origin) => (int)Math.Max(0.0, Math.Ceiling((least - origin) / spacing));
 
-        int Last(double greatest, double origin, int count) => (int)Math.Min(count - 1, Math.Floor((greatest - origin) / spacing));
+        private int Last(double greatest, double origin, int count) => (int)Math.Min(count - 1, Math.Floor((greatest - origin) / spacing));
 
-        int CountIn(double length) => (int)Math.Floor(length / spacing - Offset) + 1;
+        private int CountIn(double length) => (int)Math.Floor(length / spacing - Offset) + 1;
 
         // Twice the signed area of the triangle p, q, (x, z) seen from above.
-        static double Twice(Vector3 p, Vector3 q, double x, double z) => ((double)q.x - p.x) * (z - p.z) - ((double)q.z - p.z) * (x - p.x);
+        private static double Twice(Vector3 p, Vector3 q, double x, double z) =>
+            ((double)q.x - p.x) * (z - p.z) - ((double)q.z - p.z) * (x - p.x);
     }
 }

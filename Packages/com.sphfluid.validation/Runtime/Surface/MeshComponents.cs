@@ -6,9 +6,9 @@ namespace SphFluid.Validation
     /// <summary>The connected parts of a mesh.</summary>
     public sealed class MeshComponents
     {
-        readonly SurfaceMesh mesh;
-        readonly int[] componentOf;
-        readonly double[] volumes;
+        private readonly SurfaceMesh mesh;
+        private readonly int[] componentOf;
+        private readonly double[] volumes;
 
         /// <summary>Finds the parts: vertices that a triangle joins belong together.</summary>
         /// <param name="mesh">Any mesh.</param>
@@ -21,13 +21,14 @@ namespace SphFluid.Validation
             foreach (int vertex in mesh.Indices)
             {
                 int root = Root(parents, vertex);
-                if (!numbers.TryGetValue(root, out int number))
-                    numbers.Add(root, number = numbers.Count);
+                if (!numbers.TryGetValue(root, out int number)) numbers.Add(root, number = numbers.Count);
                 componentOf[vertex] = number;
             }
             volumes = new double[numbers.Count];
             for (int i = 0; i < mesh.Indices.Length; i += 3)
+            {
                 volumes[componentOf[mesh.Indices[i]]] += Vector3.Dot(Corner(i), Vector3.Cross(Corner(i + 1), Corner(i + 2))) / 6.0;
+            }
         }
 
         /// <summary>Number of parts.</summary>
@@ -47,21 +48,19 @@ namespace SphFluid.Validation
             foreach (int vertex in mesh.Indices)
             {
                 float distance = (mesh.Positions[vertex] - point).sqrMagnitude;
-                if (distance > least)
-                    continue;
+                if (distance > least) continue;
                 least = distance;
                 nearest = componentOf[vertex];
             }
             return nearest;
         }
 
-        Vector3 Corner(int i) => mesh.Positions[mesh.Indices[i]];
+        private Vector3 Corner(int i) => mesh.Positions[mesh.Indices[i]];
 
-        static int[] Join(SurfaceMesh mesh)
+        private static int[] Join(SurfaceMesh mesh)
         {
             var parents = new int[mesh.VertexCount];
-            for (int i = 0; i < parents.Length; i++)
-                parents[i] = i;
+            for (int i = 0; i < parents.Length; i++) parents[i] = i;
             for (int i = 0; i < mesh.Indices.Length; i++)
             {
                 int next = mesh.Indices[i % 3 == 2 ? i - 2 : i + 1];
@@ -70,10 +69,9 @@ namespace SphFluid.Validation
             return parents;
         }
 
-        static int Root(int[] parents, int vertex)
+        private static int Root(int[] parents, int vertex)
         {
-            while (parents[vertex] != vertex)
-                vertex = parents[vertex] = parents[parents[vertex]];
+            while (parents[vertex] != vertex) vertex = parents[vertex] = parents[parents[vertex]];
             return vertex;
         }
     }

@@ -2,10 +2,13 @@ using System;
 
 namespace SphFluid.Validation
 {
-    /// <summary>How the triangles of a mesh hang together by its indices. A closed surface has each edge in two triangles that run along it in opposite directions.</summary>
+    /// <summary>
+    /// How the triangles of a mesh hang together by its indices. A closed surface has each edge in two triangles that run along it in
+    /// opposite directions.
+    /// </summary>
     public readonly struct MeshEdges
     {
-        MeshEdges(int vertices, int edges, int triangles, int open, int nonManifold, int flipped)
+        private MeshEdges(int vertices, int edges, int triangles, int open, int nonManifold, int flipped)
         {
             Vertices = vertices;
             Count = edges;
@@ -48,8 +51,7 @@ namespace SphFluid.Validation
             for (int first = 0, end; first < sides.Length; first = end)
             {
                 int upwards = 0;
-                for (end = first; end < sides.Length && sides[end] >> 1 == sides[first] >> 1; end++)
-                    upwards += (int)(sides[end] & 1);
+                for (end = first; end < sides.Length && sides[end] >> 1 == sides[first] >> 1; end++) upwards += (int)(sides[end] & 1);
                 int users = end - first;
                 edges++;
                 open += users == 1 ? 1 : 0;
@@ -59,8 +61,9 @@ namespace SphFluid.Validation
             return new MeshEdges(CountUsed(mesh), edges, mesh.TriangleCount, open, nonManifold, flipped);
         }
 
-        // Lower vertex, higher vertex (31 bits) and whether the side runs from the lower to the higher one; sides of an edge stand together.
-        static ulong[] SortedSides(int[] indices)
+        // Lower vertex, higher vertex (31 bits) and whether the side runs from the lower to the higher one; sides of an edge stand
+        // together.
+        private static ulong[] SortedSides(int[] indices)
         {
             var sides = new ulong[indices.Length];
             for (int i = 0; i < indices.Length; i++)
@@ -72,7 +75,7 @@ namespace SphFluid.Validation
             return sides;
         }
 
-        static int CountUsed(SurfaceMesh mesh)
+        private static int CountUsed(SurfaceMesh mesh)
         {
             var used = new bool[mesh.VertexCount];
             int count = 0;

@@ -3,12 +3,14 @@ using UnityEngine;
 
 namespace SphFluid.Validation
 {
-    /// <summary>Random loose packings: particles thrown into a box that push each other apart until they lie about a spacing from each other.</summary>
-    static class ParticlePacking
+    /// <summary>
+    /// Random loose packings: particles thrown into a box that push each other apart until they lie about a spacing from each other.
+    /// </summary>
+    internal static class ParticlePacking
     {
         // Particles nearer than Reach push each other by Strength of what is missing; layers rest at Wall from the sides. In dx.
-        const float Reach = 1.15f, Strength = 0.35f, Wall = 0.45f;
-        const int Rounds = 30;
+        private const float Reach = 1.15f, Strength = 0.35f, Wall = 0.45f;
+        private const int Rounds = 30;
 
         /// <summary>A packing of one particle a spacing cubed.</summary>
         /// <param name="size">Edges of the box [dx], from the origin.</param>
@@ -19,13 +21,15 @@ namespace SphFluid.Validation
             var random = new System.Random(seed);
             var places = new Vector3[size.x * size.y * size.z];
             for (int i = 0; i < places.Length; i++)
-                places[i] = Vector3.Scale(size, new Vector3((float)random.NextDouble(), (float)random.NextDouble(), (float)random.NextDouble()));
-            for (int round = 0; round < Rounds; round++)
-                places = Relaxed(places, size);
+            {
+                places[i] =
+                    Vector3.Scale(size, new Vector3((float)random.NextDouble(), (float)random.NextDouble(), (float)random.NextDouble()));
+            }
+            for (int round = 0; round < Rounds; round++) places = Relaxed(places, size);
             return new List<Vector3>(places);
         }
 
-        static Vector3[] Relaxed(Vector3[] places, Vector3 size)
+        private static Vector3[] Relaxed(Vector3[] places, Vector3 size)
         {
             var cells = new CellLists(places, Reach);
             var moved = new Vector3[places.Length];
@@ -37,8 +41,7 @@ namespace SphFluid.Validation
                 {
                     Vector3 apart = place - places[other];
                     float distance = apart.magnitude;
-                    if (other != i && distance < Reach && distance > 0f)
-                        push += apart * (Strength * (Reach - distance) / distance);
+                    if (other != i && distance < Reach && distance > 0f) push += apart * (Strength * (Reach - distance) / distance);
                 }
                 moved[i] = Vector3.Max(lowest, Vector3.Min(highest, place + push));
             }

@@ -4,15 +4,15 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>Triangles of a known field, in cells of half a spacing.</summary>
-    sealed class PolygoniserVariant : DenseVariant
+    internal sealed class PolygoniserVariant : DenseVariant
     {
         /// <summary>Value of the fields on their surface.</summary>
         public const float Iso = 0.5f;
 
-        const float KnownFieldCell = 0.5f;
+        private const float KnownFieldCell = 0.5f;
 
-        readonly SurfacePolygons kind;
-        float[] values = Array.Empty<float>();
+        private readonly SurfacePolygons kind;
+        private float[] values = Array.Empty<float>();
 
         public PolygoniserVariant(FluidShaderSet shaders, SurfacePolygons kind)
             : base(shaders, KnownFieldCell)
@@ -33,8 +33,7 @@ namespace SphFluid.Validation
             values = new float[grid.VertexCount];
             for (int z = 0; z <= grid.Cells.z; z++)
                 for (int y = 0; y <= grid.Cells.y; y++)
-                    for (int x = 0; x <= grid.Cells.x; x++)
-                        values[grid.Index(x, y, z)] = state.Field(grid.Position(x, y, z));
+                    for (int x = 0; x <= grid.Cells.x; x++) values[grid.Index(x, y, z)] = state.Field(grid.Position(x, y, z));
             field.Values.SetData(values);
             return Iso;
         }

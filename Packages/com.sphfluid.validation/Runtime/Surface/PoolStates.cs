@@ -6,13 +6,13 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>Pools and films, whose top should be a plane.</summary>
-    static class PoolStates
+    internal static class PoolStates
     {
         // Air around free liquid and distance of what is looked at from its rims, dx: beyond the reach of every field.
-        const int Margin = 4, Rim = 5;
+        private const int Margin = 4, Rim = 5;
 
         // A film between two planes of the grid in cells of 0.5, 0.75 and 1 dx.
-        const float OffPlane = 0.18f;
+        private const float OffPlane = 0.18f;
 
         /// <summary>A block of a simple cubic lattice with normal jitter.</summary>
         /// <param name="scale">Sizes.</param>
@@ -27,7 +27,10 @@ namespace SphFluid.Validation
             return Pool(scale, size, ParticlePacking.Box(size, 5));
         }
 
-        /// <summary>A packed block that rises through the cells of the surface's grid, in 16 steps that cover all phases in cells of 0.5, 0.75 and 1 dx.</summary>
+        /// <summary>
+        /// A packed block that rises through the cells of the surface's grid, in 16 steps that cover all phases in cells of 0.5, 0.75 and 1
+        /// dx.
+        /// </summary>
         public static SurfaceState Rising(SurfaceScale scale)
         {
             const int steps = 16;
@@ -38,7 +41,9 @@ namespace SphFluid.Validation
             double level = state.Level(0);
             state.Frames.Clear();
             for (int i = 0; i < steps; i++)
+            {
                 SurfaceScale.Add(state, places.Select(p => p + new Vector3(Margin, Margin + (float)(i * step), Margin)));
+            }
             state.Level = frame => level + frame * step * SurfaceScale.Spacing;
             state.Normal = null;
             return state;
@@ -63,7 +68,7 @@ namespace SphFluid.Validation
             return state;
         }
 
-        static SurfaceState Pool(SurfaceScale scale, Vector3Int size, IEnumerable<Vector3> places, float above = 0f)
+        private static SurfaceState Pool(SurfaceScale scale, Vector3Int size, IEnumerable<Vector3> places, float above = 0f)
         {
             Vector3 domain = size + 2 * Margin * Vector3Int.one + above * Vector3.up;
             SurfaceState state = scale.Of(domain, places.Select(p => p + Margin * Vector3.one));
@@ -71,11 +76,12 @@ namespace SphFluid.Validation
             double level = SurfaceScale.Height(state, Margin + size.y);
             Rect top = state.Top.Value;
             state.Level = _ => level;
-            state.Normal = p => top.Contains(new Vector2(p.x, p.z)) && Math.Abs(p.y - level) < SurfaceScale.Spacing ? Vector3.up : Vector3.zero;
+            state.Normal = p => top.Contains(new Vector2(p.x, p.z)) && Math.Abs(p.y - level) < SurfaceScale.Spacing ? Vector3.up
+                : Vector3.zero;
             return state;
         }
 
-        static List<Vector3> Block(Vector3Int size, double jitter, int seed)
+        private static List<Vector3> Block(Vector3Int size, double jitter, int seed)
         {
             List<Vector3> places = CaseLattice.Box(size, 1.0, Vector3.zero);
             CaseLattice.Jitter(places, jitter, seed, float.MaxValue * Vector3.one);

@@ -8,10 +8,10 @@ using UnityEngine.Rendering;
 namespace SphFluid.Validation
 {
     /// <summary>Liquid that the Standard method moves.</summary>
-    static class SolvedStates
+    internal static class SolvedStates
     {
-        const int FrameRate = 60, QuickShare = 3;
-        const float WallRim = 4f, SpaceAbove = 7f; // dx
+        private const int FrameRate = 60, QuickShare = 3;
+        private const float WallRim = 4f, SpaceAbove = 7f; // dx
 
         /// <summary>A pool from wall to wall after two seconds in which it comes to rest: 30 frames of rest.</summary>
         public static SurfaceState Settled(SurfaceScale scale) => Settled(scale, new Vector3Int(21, 8, 21));
@@ -39,13 +39,14 @@ namespace SphFluid.Validation
             var domain = new Vector3(45f, 39f, 12f);
             SurfaceState state = scale.Empty(domain, 20f);
             SurfaceScale.LookAt(state, Vector2.one, new Vector2(domain.x - 1f, domain.z - 1f));
-            return Moving(scale, state, CaseLattice.Box(new Vector3Int(16, 20, 12), 1.0, Vector3.zero), scale.Quick ? 30 / QuickShare : 30, 100);
+            return Moving(scale, state, CaseLattice.Box(new Vector3Int(16, 20, 12), 1.0, Vector3.zero),
+                scale.Quick ? 30 / QuickShare : 30, 100);
         }
 
-        static SurfaceState Moving(SurfaceScale scale, SurfaceState state, IReadOnlyList<Vector3> start, int framesBefore, int frames)
+        private static SurfaceState Moving(SurfaceScale scale, SurfaceState state, IReadOnlyList<Vector3> start,
+            int framesBefore, int frames)
         {
-            if (scale.Quick)
-                frames /= QuickShare;
+            if (scale.Quick) frames /= QuickShare;
             state.InTime = true;
             state.Volume = start.Count * Math.Pow(SurfaceScale.Spacing, 3);
             state.Planned = (start.Count, frames, (framesBefore + frames) * StepsPerFrame(state));
@@ -53,7 +54,8 @@ namespace SphFluid.Validation
             return state;
         }
 
-        static IEnumerator Play(SurfaceState state, FluidShaderSet shaders, IReadOnlyList<Vector3> start, int framesBefore, int frames)
+        private static IEnumerator Play(SurfaceState state, FluidShaderSet shaders, IReadOnlyList<Vector3> start,
+            int framesBefore, int frames)
         {
             SurfaceScale.Add(state, start);
             FluidParticle[] particles = CaseLattice.Particles(state.Frames[0]);
@@ -77,9 +79,9 @@ namespace SphFluid.Validation
             }
         }
 
-        static int StepsPerFrame(SurfaceState state) => (int)Math.Ceiling(1.0 / FrameRate / state.Settings.TimeStep);
+        private static int StepsPerFrame(SurfaceState state) => (int)Math.Ceiling(1.0 / FrameRate / state.Settings.TimeStep);
 
-        static Vector3[] ById(FluidSolver solver, FluidParticle[] particles)
+        private static Vector3[] ById(FluidSolver solver, FluidParticle[] particles)
         {
             solver.Particles.GetData(particles);
             return particles.OrderBy(p => p.Id).Select(p => p.Position).ToArray();

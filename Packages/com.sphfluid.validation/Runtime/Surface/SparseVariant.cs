@@ -5,11 +5,11 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>The sparse surface.</summary>
-    sealed class SparseVariant : SurfaceVariant
+    internal sealed class SparseVariant : SurfaceVariant
     {
-        readonly SparseSurface surface;
-        readonly Func<FluidSolverSettings, SurfaceGrid, SurfaceFieldSettings> field;
-        int lateBlocks;
+        private readonly SparseSurface surface;
+        private readonly Func<FluidSolverSettings, SurfaceGrid, SurfaceFieldSettings> field;
+        private int lateBlocks;
 
         /// <summary>The surface of a field.</summary>
         /// <param name="shaders">The package's shaders.</param>
@@ -28,7 +28,8 @@ namespace SphFluid.Validation
 
         /// <summary>The smooth field as clear water has it: particles with little company leave it, to be drawn as spray.</summary>
         public static SparseVariant Spray(FluidShaderSet shaders) =>
-            new SparseVariant(shaders, 0.75f, (settings, _) => MeasuredWater.FieldOf(FluidSurfaceQuality.Default, settings, new FluidWaterLook()));
+            new SparseVariant(shaders, 0.75f,
+                (settings, _) => MeasuredWater.FieldOf(FluidSurfaceQuality.Default, settings, new FluidWaterLook()));
 
         /// <summary>Yu and Turk's kernels, stretched along the surface.</summary>
         public static SparseVariant Anisotropic(FluidShaderSet shaders, float cell) =>

@@ -6,8 +6,8 @@ namespace SphFluid.Validation
     /// <summary>Which surfaces <c>surfaces</c> makes of which states, and where it writes.</summary>
     public sealed class SurfaceArguments : MeasuringArguments
     {
-        readonly List<SurfaceStateEntry> states = new List<SurfaceStateEntry>();
-        readonly List<SurfaceVariantEntry> variants = new List<SurfaceVariantEntry>();
+        private readonly List<SurfaceStateEntry> states = new List<SurfaceStateEntry>();
+        private readonly List<SurfaceVariantEntry> variants = new List<SurfaceVariantEntry>();
 
         internal SurfaceArguments() : base("surfaces", "Build/surfaces")
         {
@@ -28,7 +28,7 @@ namespace SphFluid.Validation
             ("--state", states.SequenceEqual(SurfaceStateEntry.All) ? null : states.Select(s => s.Name)),
             ("--variant", variants.SequenceEqual(DefaultVariants) ? null : variants.Select(v => v.Name)));
 
-        IEnumerable<SurfaceVariantEntry> DefaultVariants => SurfaceVariantEntry.All.Where(v => v.Quick || !Quick);
+        private IEnumerable<SurfaceVariantEntry> DefaultVariants => SurfaceVariantEntry.All.Where(v => v.Quick || !Quick);
 
         /// <summary>Reads the command line of the process.</summary>
         /// <exception cref="CommandLineException">A flag is unknown, or a value is missing or wrong.</exception>
@@ -36,10 +36,8 @@ namespace SphFluid.Validation
         {
             var result = new SurfaceArguments();
             result.Read(commandLine);
-            if (result.states.Count == 0)
-                result.states.AddRange(SurfaceStateEntry.All);
-            if (result.variants.Count == 0)
-                result.variants.AddRange(result.DefaultVariants);
+            if (result.states.Count == 0) result.states.AddRange(SurfaceStateEntry.All);
+            if (result.variants.Count == 0) result.variants.AddRange(result.DefaultVariants);
             return result;
         }
     }

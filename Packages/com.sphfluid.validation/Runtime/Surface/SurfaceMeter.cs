@@ -6,20 +6,21 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>Takes in the meshes that a variant makes of a state's frames, one after the other, and sums up.</summary>
-    sealed class SurfaceMeter
+    internal sealed class SurfaceMeter
     {
         // Distance of columns, largest step in time that counts as flicker, and how near a drop's surface comes to its particle, dx.
-        const float ColumnSpacing = 0.5f, LargestStep = 1f, DropReach = 1f;
+        private const float ColumnSpacing = 0.5f, LargestStep = 1f, DropReach = 1f;
 
-        readonly SurfaceState state;
-        readonly SurfaceQuality sum;
-        readonly MeshColumns columns;
-        readonly List<double[]> heights = new List<double[]>();
-        readonly List<ColumnStatistics> tops = new List<ColumnStatistics>();
-        readonly List<MeshEdges> edges = new List<MeshEdges>();
-        readonly List<TriangleShapes> shapes = new List<TriangleShapes>();
-        readonly List<NormalError> normals = new List<NormalError>();
-        readonly List<double> levels = new List<double>(), volumes = new List<double>(), components = new List<double>(), dropRadii = new List<double>();
+        private readonly SurfaceState state;
+        private readonly SurfaceQuality sum;
+        private readonly MeshColumns columns;
+        private readonly List<double[]> heights = new List<double[]>();
+        private readonly List<ColumnStatistics> tops = new List<ColumnStatistics>();
+        private readonly List<MeshEdges> edges = new List<MeshEdges>();
+        private readonly List<TriangleShapes> shapes = new List<TriangleShapes>();
+        private readonly List<NormalError> normals = new List<NormalError>();
+        private readonly List<double> levels = new List<double>(), volumes = new List<double>(), components = new List<double>(),
+            dropRadii = new List<double>();
 
         /// <summary>A meter for a state.</summary>
         /// <param name="state">The state.</param>
@@ -28,8 +29,7 @@ namespace SphFluid.Validation
         {
             this.state = state;
             sum = new SurfaceQuality { Particles = state.Frames[0].Length, Cell = cell };
-            if (state.Top.HasValue)
-                columns = new MeshColumns(state.Top.Value, ColumnSpacing * state.Spacing);
+            if (state.Top.HasValue) columns = new MeshColumns(state.Top.Value, ColumnSpacing * state.Spacing);
         }
 
         /// <summary>Takes in the mesh of the next frame.</summary>
@@ -38,10 +38,8 @@ namespace SphFluid.Validation
             edges.Add(MeshEdges.Of(mesh));
             shapes.Add(TriangleShapes.Of(mesh, (float)sum.Cell * state.Spacing));
             volumes.Add(mesh.Volume() / state.Volume);
-            if (state.Normal != null)
-                normals.Add(NormalError.Of(mesh, state.Normal));
-            if (columns != null)
-                AddTop(mesh);
+            if (state.Normal != null) normals.Add(NormalError.Of(mesh, state.Normal));
+            if (columns != null) AddTop(mesh);
             AddParts(new MeshComponents(mesh));
             sum.Frames++;
         }
@@ -70,37 +68,37 @@ namespace SphFluid.Validation
                 sum.Flatness = Mean(tops.Select(t => t.Rms)) / state.Spacing;
                 sum.Slope = Mean(tops.Select(t => t.Slope));
                 sum.LevelError = Mean(levels);
-                sum.Ripple = levels.Count > 1 ? Math.Sqrt(Mean(levels.Select(l => (l - sum.LevelError) * (l - sum.LevelError)))) : double.NaN;
+                sum.Ripple = levels.Count > 1 ? Math.Sqrt(Mean(levels.Select(l => (l - sum.LevelError) * (l - sum.LevelError))))
+                    : double.NaN;
             }
-            if (state.InTime)
-                sum.Flicker = ColumnStatistics.Flicker(heights, LargestStep * state.Spacing) / state.Spacing;
+            if (state.InTime) sum.Flicker = ColumnStatistics.Flicker(heights, LargestStep * state.Spacing) / state.Spacing;
             return sum;
         }
 
-        void AddTop(SurfaceMesh mesh)
+        private void AddTop(SurfaceMesh mesh)
         {
             heights.Add(columns.Heights(mesh));
             ColumnStatistics top = ColumnStatistics.Of(heights[sum.Frames], columns.Across, ColumnSpacing * state.Spacing);
             tops.Add(top);
-            if (state.Level != null)
-                levels.Add((top.Mean - state.Level(sum.Frames)) / state.Spacing);
+            if (state.Level != null) levels.Add((top.Mean - state.Level(sum.Frames)) / state.Spacing);
         }
 
-        void AddParts(MeshComponents parts)
+        private void AddParts(MeshComponents parts)
         {
             components.Add(parts.Count);
-            if (state.Gaps != null && parts.Count == 1 && !(sum.MergeGap >= state.Gaps[sum.Frames]))
-                sum.MergeGap = state.Gaps[sum.Frames];
+            if (state.Gaps != null && parts.Count == 1 && !(sum.MergeGap >= state.Gaps[sum.Frames])) sum.MergeGap = state.Gaps[sum.Frames];
             foreach (Vector3 drop in state.Drops)
             {
                 int part = parts.Near(drop, DropReach * state.Spacing);
                 sum.Drops++;
                 sum.DropsVisible += part >= 0 ? 1 : 0;
                 if (part >= 0 && state.Drops.Length == sum.Particles)
+                {
                     dropRadii.Add(Math.Pow(Math.Abs(parts.Volume(part)) * 3.0 / (4.0 * Math.PI), 1.0 / 3.0) / state.Spacing);
+                }
             }
         }
 
-        static double Mean(IEnumerable<double> numbers) => numbers.DefaultIfEmpty(double.NaN).Average();
+        private static double Mean(IEnumerable<double> numbers) => numbers.DefaultIfEmpty(double.NaN).Average();
     }
 }

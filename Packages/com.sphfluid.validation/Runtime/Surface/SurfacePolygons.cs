@@ -1,7 +1,7 @@
 namespace SphFluid.Validation
 {
     /// <summary>What turns a field into triangles.</summary>
-    enum SurfacePolygons
+    internal enum SurfacePolygons
     {
         /// <summary>Marching cubes with the package's tables.</summary>
         MarchingCubes,

@@ -5,10 +5,10 @@ using System.Linq;
 namespace SphFluid.Validation
 {
     /// <summary>
-    /// A line of surface-quality.csv: what a surface variant made of a state. Means over the frames unless it says sum; not a number where the
-    /// state has no reference for it.
+    /// A line of surface-quality.csv: what a surface variant made of a state. Means over the frames unless it says sum; not a number where
+    /// the state has no reference for it.
     /// </summary>
-    sealed class SurfaceQuality : MeasuredRow
+    internal sealed class SurfaceQuality : MeasuredRow
     {
         /// <summary>The file.</summary>
         public static readonly TableFormat<SurfaceQuality> Format = new TableFormat<SurfaceQuality>("surface-quality.csv")
@@ -79,7 +79,9 @@ namespace SphFluid.Validation
         /// <summary>Deviation of the top from a plane, root mean square [dx]; its slope [degrees].</summary>
         public double Flatness = double.NaN, Slope = double.NaN;
 
-        /// <summary>Height of the top over the liquid's level [dx], and how much it changes between frames, root mean square [dx].</summary>
+        /// <summary>
+        /// Height of the top over the liquid's level [dx], and how much it changes between frames, root mean square [dx].
+        /// </summary>
         public double LevelError = double.NaN, Ripple = double.NaN;
 
         /// <summary>Share of the columns over the liquid that intersect the mesh.</summary>
@@ -125,6 +127,7 @@ namespace SphFluid.Validation
             return $"{State}, {Variant}: {string.Join(", ", text.Where(t => t.Length > 0))}.";
         }
 
-        static string Say(string format, double value) => double.IsNaN(value) ? "" : string.Format(CultureInfo.InvariantCulture, format, value);
+        private static string Say(string format, double value) => double.IsNaN(value) ? ""
+            : string.Format(CultureInfo.InvariantCulture, format, value);
     }
 }

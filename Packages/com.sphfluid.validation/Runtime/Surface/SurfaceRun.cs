@@ -7,30 +7,30 @@ using UnityEngine.Rendering;
 namespace SphFluid.Validation
 {
     /// <summary>Makes a variant's surface of every frame of a state and measures it.</summary>
-    sealed class SurfaceRun : IDisposable
+    internal sealed class SurfaceRun : IDisposable
     {
         // GPU times come some frames of the engine after the work; a device that gives none is not waited for longer.
-        const int EngineFramesToWait = 20;
+        private const int EngineFramesToWait = 20;
 
         // In particle-steps of the Standard method: what a frame costs whatever its size, and for each particle.
-        const double FrameOverhead = 20000.0, ParticleWeight = 10.0;
+        private const double FrameOverhead = 20000.0, ParticleWeight = 10.0;
 
         // States of fewer frames are gone through several times; the least time counts, as the first one also compiles.
-        const int TimedFrames = 3;
+        private const int TimedFrames = 3;
 
-        static readonly ProfilerMarker frameMarker = ComputeKernel.CreateMarker(FrameBlocks.Frame);
+        private static readonly ProfilerMarker frameMarker = ComputeKernel.CreateMarker(FrameBlocks.Frame);
 
-        static readonly BenchBlock surface = new BenchBlock("surface",
+        private static readonly BenchBlock surface = new BenchBlock("surface",
             "ResetMCGrid", "SetMCGridDensityFactors", "CountSurfaceVertices", "EmitSurfaceVertices",
             "ClearSurfaceBlocks", "PrepareSurfaceParticles", "ListSurfaceBlocks", "SampleBlocks", "CountBlocks",
             "SurfaceDrawArguments", "EmitBlocks");
 
-        readonly SurfaceState state;
-        readonly SurfaceVariant variant;
-        readonly FluidSolver solver;
-        readonly GpuClock clock = new GpuClock(new[] { surface });
-        readonly CommandBuffer cmd = new CommandBuffer { name = "Surface Run" };
-        double milliseconds;
+        private readonly SurfaceState state;
+        private readonly SurfaceVariant variant;
+        private readonly FluidSolver solver;
+        private readonly GpuClock clock = new GpuClock(new[] { surface });
+        private readonly CommandBuffer cmd = new CommandBuffer { name = "Surface Run" };
+        private double milliseconds;
 
         /// <summary>A run.</summary>
         /// <param name="state">A state with its frames.</param>
@@ -43,7 +43,9 @@ namespace SphFluid.Validation
             solver = new FluidSolver(state.Settings, shaders, CaseLattice.Particles(state.Frames[0]));
         }
 
-        /// <summary>Expected work: making and measuring each frame's surface, which a session's first ones of a variant show better.</summary>
+        /// <summary>
+        /// Expected work: making and measuring each frame's surface, which a session's first ones of a variant show better.
+        /// </summary>
         public static double CostOf(SurfaceState state, SurfaceVariant variant) =>
             Math.Max(state.FrameCount, variant.OnGpu ? TimedFrames : 1) * (FrameOverhead + ParticleWeight * state.ParticleCount);
 
@@ -68,10 +70,10 @@ namespace SphFluid.Validation
             }
         }
 
-        bool AsksTime => IsTimed && variant.OnGpu;
+        private bool AsksTime => IsTimed && variant.OnGpu;
 
         // All frames once; leaves their mean GPU time.
-        IEnumerator Round(Action<SurfaceMesh> take)
+        private IEnumerator Round(Action<SurfaceMesh> take)
         {
             clock.Restart();
             int frames = 0;
@@ -87,8 +89,7 @@ namespace SphFluid.Validation
                 clock.Collect(++frames);
                 yield return null;
             }
-            for (int waited = 0; AsksTime && waited < EngineFramesToWait && !clock.Collect(frames); waited++)
-                yield return null;
+            for (int waited = 0; AsksTime && waited < EngineFramesToWait && !clock.Collect(frames); waited++) yield return null;
             milliseconds = AsksTime && clock.Collect(frames) ? clock.Times(frames).Block(0) : double.NaN;
         }
 

@@ -5,7 +5,7 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>Turns states that are given in particle spacings from the domain's lower corner into SI and simulation space.</summary>
-    sealed class SurfaceScale
+    internal sealed class SurfaceScale
     {
         /// <summary>dx [m]. Two frames at 60 a second are then 0.65 √(dx/g) apart.</summary>
         public const float Spacing = 0.025f;
@@ -50,8 +50,7 @@ namespace SphFluid.Validation
         {
             var positions = new List<Vector3>();
             Vector3 half = 0.5f * state.Settings.DomainSize, inside = 0.9999f * half;
-            foreach (Vector3 place in places)
-                positions.Add(Vector3.Max(-inside, Vector3.Min(inside, Spacing * place - half)));
+            foreach (Vector3 place in places) positions.Add(Vector3.Max(-inside, Vector3.Min(inside, Spacing * place - half)));
             state.Frames.Add(positions.ToArray());
         }
 
@@ -62,7 +61,8 @@ namespace SphFluid.Validation
         public static void LookAt(SurfaceState state, Vector2 from, Vector2 to)
         {
             Vector3 half = 0.5f * state.Settings.DomainSize;
-            state.Top = Rect.MinMaxRect(from.x * Spacing - half.x, from.y * Spacing - half.z, to.x * Spacing - half.x, to.y * Spacing - half.z);
+            state.Top = Rect.MinMaxRect(from.x * Spacing - half.x, from.y * Spacing - half.z, to.x * Spacing - half.x,
+                to.y * Spacing - half.z);
         }
 
         /// <summary>Height in simulation space [m] of one over the floor [dx].</summary>

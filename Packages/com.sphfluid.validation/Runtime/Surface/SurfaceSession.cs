@@ -8,19 +8,20 @@ namespace SphFluid.Validation
     /// <summary>Measures every variant on every state; the table is written after each.</summary>
     public sealed class SurfaceSession : JobSession
     {
-        const double StepOverhead = 1500.0;
+        private const double StepOverhead = 1500.0;
 
-        readonly SurfaceArguments arguments;
-        readonly FluidShaderSet shaders;
-        readonly ResultTable<SurfaceQuality> table;
-        List<(string Name, SurfaceVariant Variant)> variants;
+        private readonly SurfaceArguments arguments;
+        private readonly FluidShaderSet shaders;
+        private readonly ResultTable<SurfaceQuality> table;
+        private List<(string Name, SurfaceVariant Variant)> variants;
 
         /// <summary>Prepares a session; nothing is measured yet.</summary>
         /// <param name="arguments">What to measure.</param>
         /// <param name="shaders">The package's shaders.</param>
         /// <param name="progress">Where it says how far it is.</param>
         /// <exception cref="FluidDeviceException">There are no shaders.</exception>
-        /// <exception cref="CommandLineException">The output folder cannot be written, or holds another file of the table's name.</exception>
+        /// <exception cref="CommandLineException">The output folder cannot be written, or holds another file of the table's
+        /// name.</exception>
         public SurfaceSession(SurfaceArguments arguments, FluidShaderSet shaders, SessionProgress progress)
             : base(arguments, "surfaces", SystemInfo.graphicsDeviceName, progress, new SessionRate(null))
         {
@@ -41,8 +42,7 @@ namespace SphFluid.Validation
             }
             finally
             {
-                foreach ((string _, SurfaceVariant variant) in variants)
-                    variant.Dispose();
+                foreach ((string _, SurfaceVariant variant) in variants) variant.Dispose();
             }
         }
 
@@ -67,12 +67,11 @@ namespace SphFluid.Validation
         private protected override IEnumerator Begin() => Calibrate(shaders, CostOfStep);
 
         // Particle-steps, and what a step costs anyway.
-        static double CostOfStep(int particles) => particles + StepOverhead;
+        private static double CostOfStep(int particles) => particles + StepOverhead;
 
-        IEnumerator Measure(SurfaceState state, string name, SurfaceVariant variant)
+        private IEnumerator Measure(SurfaceState state, string name, SurfaceVariant variant)
         {
-            if (state.Prepare != null && state.Frames.Count == 0)
-                yield return state.Prepare(shaders);
+            if (state.Prepare != null && state.Frames.Count == 0) yield return state.Prepare(shaders);
             using (var run = new SurfaceRun(state, variant, shaders))
             {
                 yield return run.Run();

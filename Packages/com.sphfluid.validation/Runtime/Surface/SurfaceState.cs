@@ -6,7 +6,7 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>Particles whose surface is known, or moves as it does in a simulation. SI, simulation space.</summary>
-    sealed class SurfaceState
+    internal sealed class SurfaceState
     {
         /// <summary>Name on the command line and in tables.</summary>
         public string Name;
@@ -20,7 +20,9 @@ namespace SphFluid.Validation
         /// <summary>Computes <see cref="Frames"/> where they are not given; null where they are.</summary>
         public Func<FluidShaderSet, IEnumerator> Prepare;
 
-        /// <summary>Numbers of particles and of frames, and the steps behind them, where <see cref="Prepare"/> has still to compute them.</summary>
+        /// <summary>
+        /// Numbers of particles and of frames, and the steps behind them, where <see cref="Prepare"/> has still to compute them.
+        /// </summary>
         public (int Particles, int Frames, int Steps) Planned;
 
         /// <summary>Particles of a frame.</summary>
@@ -47,7 +49,9 @@ namespace SphFluid.Validation
         /// <summary>Particles without neighbours, whose drops should be visible.</summary>
         public Vector3[] Drops = Array.Empty<Vector3>();
 
-        /// <summary>A field that is known everywhere, 0.5 on its surface and more inside, in the place of one that particles make; else null.</summary>
+        /// <summary>
+        /// A field that is known everywhere, 0.5 on its surface and more inside, in the place of one that particles make; else null.
+        /// </summary>
         public Func<Vector3, float> Field;
 
         /// <summary>Distance in each frame between two bodies of liquid [dx]; null where there are no two.</summary>

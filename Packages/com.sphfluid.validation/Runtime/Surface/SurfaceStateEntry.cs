@@ -5,11 +5,11 @@ using System.Linq;
 namespace SphFluid.Validation
 {
     /// <summary>A state by name, the same at every call.</summary>
-    sealed class SurfaceStateEntry
+    internal sealed class SurfaceStateEntry
     {
-        readonly Func<SurfaceScale, SurfaceState> build;
+        private readonly Func<SurfaceScale, SurfaceState> build;
 
-        SurfaceStateEntry(string name, Func<SurfaceScale, SurfaceState> build)
+        private SurfaceStateEntry(string name, Func<SurfaceScale, SurfaceState> build)
         {
             Name = name;
             this.build = build;

@@ -4,7 +4,7 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>A method to make a surface of particles.</summary>
-    abstract class SurfaceVariant : IDisposable
+    internal abstract class SurfaceVariant : IDisposable
     {
         /// <summary>A variant.</summary>
         /// <param name="cell">Edge of a cell [dx].</param>
@@ -28,7 +28,10 @@ namespace SphFluid.Validation
         /// <param name="positions">The same particles, those of one of the state's frames [m].</param>
         public abstract SurfaceMesh Mesh(SurfaceState state, FluidSolver solver, Vector3[] positions);
 
-        /// <summary>Blocks of a sparse surface that only their neighbours' surface led to, since the last call; the particles should have marked them.</summary>
+        /// <summary>
+        /// Blocks of a sparse surface that only their neighbours' surface led to, since the last call; the particles should have marked
+        /// them.
+        /// </summary>
         public virtual int TakeLateBlocks() => 0;
 
         /// <inheritdoc/>

@@ -5,11 +5,11 @@ using System.Linq;
 namespace SphFluid.Validation
 {
     /// <summary>A variant by name.</summary>
-    sealed class SurfaceVariantEntry
+    internal sealed class SurfaceVariantEntry
     {
-        readonly Func<FluidShaderSet, SurfaceVariant> create;
+        private readonly Func<FluidShaderSet, SurfaceVariant> create;
 
-        SurfaceVariantEntry(string name, bool quick, Func<FluidShaderSet, SurfaceVariant> create)
+        private SurfaceVariantEntry(string name, bool quick, Func<FluidShaderSet, SurfaceVariant> create)
         {
             Name = name;
             Quick = quick;

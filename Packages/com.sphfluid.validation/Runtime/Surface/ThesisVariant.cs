@@ -3,9 +3,9 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>The thesis's field: density over rest density.</summary>
-    sealed class ThesisVariant : DenseVariant
+    internal sealed class ThesisVariant : DenseVariant
     {
-        readonly float iso;
+        private readonly float iso;
 
         public ThesisVariant(FluidShaderSet shaders, float cell, float iso = 0.5f)
             : base(shaders, cell)

@@ -7,9 +7,9 @@ namespace SphFluid.Validation
     public readonly struct TriangleShapes
     {
         // Of the square of a cell's edge; rounding leaves less in triangles whose corners coincide.
-        const float AreaLimit = 1e-7f;
+        private const float AreaLimit = 1e-7f;
 
-        TriangleShapes(double least, double percentile, double mean, int zeroArea)
+        private TriangleShapes(double least, double percentile, double mean, int zeroArea)
         {
             LeastAngle = least;
             OnePercentAngle = percentile;
@@ -44,15 +44,14 @@ namespace SphFluid.Validation
                 angles[i] = Math.Min(Angle(a, b, c), Math.Min(Angle(b, c, a), Angle(c, a, b)));
                 sum += angles[i];
             }
-            if (angles.Length == 0)
-                return new TriangleShapes(double.NaN, double.NaN, double.NaN, 0);
+            if (angles.Length == 0) return new TriangleShapes(double.NaN, double.NaN, double.NaN, 0);
             Array.Sort(angles);
             return new TriangleShapes(angles[0], angles[angles.Length / 100], sum / angles.Length, zeroArea);
         }
 
-        static Vector3 Corner(SurfaceMesh mesh, int i) => mesh.Positions[mesh.Indices[i]];
+        private static Vector3 Corner(SurfaceMesh mesh, int i) => mesh.Positions[mesh.Indices[i]];
 
-        static double Angle(Vector3 at, Vector3 b, Vector3 c)
+        private static double Angle(Vector3 at, Vector3 b, Vector3 c)
         {
             Vector3 u = b - at, v = c - at;
             return Math.Atan2(Vector3.Cross(u, v).magnitude, Vector3.Dot(u, v)) * 180.0 / Math.PI;

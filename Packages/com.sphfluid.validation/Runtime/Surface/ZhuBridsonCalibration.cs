@@ -4,15 +4,15 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>
-    /// Finds the iso value at which Zhu and Bridson's field puts the top of a pool half a spacing above its last layer: the mean over a perfect lattice and six
-    /// positions at which its layers lie between the planes of the grid.
+    /// Finds the iso value at which Zhu and Bridson's field puts the top of a pool half a spacing above its last layer: the mean over a
+    /// perfect lattice and six positions at which its layers lie between the planes of the grid.
     /// </summary>
-    static class ZhuBridsonCalibration
+    internal static class ZhuBridsonCalibration
     {
-        const int Phases = 6, Margin = 4, Rim = 5, Bisections = 24;
+        private const int Phases = 6, Margin = 4, Rim = 5, Bisections = 24;
 
         // What the phases also shift across, in cells: columns cross the lattice everywhere.
-        static readonly Vector3 across = new Vector3(0.178f, 0f, 0.731f);
+        private static readonly Vector3 across = new Vector3(0.178f, 0f, 0.731f);
 
         /// <summary>The iso value.</summary>
         /// <param name="cell">Edge of a cell [dx].</param>
@@ -41,7 +41,7 @@ namespace SphFluid.Validation
             return 0.5f * (low + high);
         }
 
-        static double MeanError(List<(float[] Values, double Level)> samples, SurfaceGrid grid, float iso)
+        private static double MeanError(List<(float[] Values, double Level)> samples, SurfaceGrid grid, float iso)
         {
             int rim = Mathf.CeilToInt((Margin + Rim) * SurfaceScale.Spacing / grid.CellSize.x);
             double sum = 0.0;
@@ -59,13 +59,12 @@ namespace SphFluid.Validation
         }
 
         // Where a column of the grid enters the liquid from above; the floor where it does not.
-        static double Top(float[] values, SurfaceGrid grid, int x, int z, float iso)
+        private static double Top(float[] values, SurfaceGrid grid, int x, int z, float iso)
         {
             for (int y = grid.Cells.y - 1; y >= 0; y--)
             {
                 float below = values[grid.Index(x, y, z)], above = values[grid.Index(x, y + 1, z)];
-                if (below >= iso)
-                    return grid.Position(x, y, z).y + (below - iso) / (below - above) * grid.CellSize.y;
+                if (below >= iso) return grid.Position(x, y, z).y + (below - iso) / (below - above) * grid.CellSize.y;
             }
             return grid.Minimum.y;
         }

@@ -3,9 +3,9 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>The field of Zhu and Bridson, its iso value calibrated as ours are.</summary>
-    sealed class ZhuBridsonVariant : DenseVariant
+    internal sealed class ZhuBridsonVariant : DenseVariant
     {
-        readonly float iso;
+        private readonly float iso;
 
         public ZhuBridsonVariant(FluidShaderSet shaders, float cell)
             : base(shaders, cell)

@@ -1,7 +1,7 @@
 namespace SphFluid.Validation
 {
     /// <summary>A line of shard-plan.csv: a run of the whole sweep.</summary>
-    sealed class PlannedRun
+    internal sealed class PlannedRun
     {
         /// <summary>The run's name: see <see cref="ShardedTable.RunKey{TRow}"/>.</summary>
         public string Key;

@@ -4,7 +4,7 @@ using System.Globalization;
 namespace SphFluid.Validation
 {
     /// <summary>A part of a sweep, the work of one machine: I of N, counted from 1.</summary>
-    sealed class Shard : IEquatable<Shard>
+    internal sealed class Shard : IEquatable<Shard>
     {
         /// <summary>Most shards that a sweep is divided into.</summary>
         public const int Most = 10000;
@@ -34,10 +34,11 @@ namespace SphFluid.Validation
             if (words.Length == 2 && TryNumber(words[0], out int index) && TryNumber(words[1], out int count))
             {
                 var shard = new Shard(index, count);
-                if (shard.IsPossible)
-                    return shard;
+                if (shard.IsPossible) return shard;
             }
-            throw new CommandLineException($"{flag} must be I/N, one of N shards from 1/N to N/N with N at most {Most}, such as 1/4; found '{CommandLineWords.Shown(value)}'.");
+            throw new CommandLineException(
+                $"{flag} must be I/N, one of N shards from 1/N to N/N with N at most {Most}, such as 1/4; found " +
+                $"'{CommandLineWords.Shown(value)}'.");
         }
 
         /// <inheritdoc/>
@@ -52,6 +53,7 @@ namespace SphFluid.Validation
         /// <summary>For instance "1/4".</summary>
         public override string ToString() => string.Format(CultureInfo.InvariantCulture, "{0}/{1}", Index, Count);
 
-        static bool TryNumber(string word, out int number) => int.TryParse(word, NumberStyles.None, CultureInfo.InvariantCulture, out number);
+        private static bool TryNumber(string word, out int number) =>
+            int.TryParse(word, NumberStyles.None, CultureInfo.InvariantCulture, out number);
     }
 }

@@ -5,15 +5,17 @@ using System.Linq;
 
 namespace SphFluid.Validation
 {
-    /// <summary>The folder of a shard that is being measured: beside the tables it says what they are a part of, and which runs are finished.</summary>
-    sealed class ShardFolder
+    /// <summary>
+    /// The folder of a shard that is being measured: beside the tables it says what they are a part of, and which runs are finished.
+    /// </summary>
+    internal sealed class ShardFolder
     {
-        readonly string folder;
-        readonly ShardManifest begun; // null where nothing was
-        readonly ShardManifest manifest;
-        readonly ResultTable<ShardRunRow> finished;
+        private readonly string folder;
+        private readonly ShardManifest begun; // null where nothing was
+        private readonly ShardManifest manifest;
+        private readonly ResultTable<ShardRunRow> finished;
 
-        ShardFolder(string folder, ShardManifest begun, ShardManifest manifest, ResultTable<ShardRunRow> finished)
+        private ShardFolder(string folder, ShardManifest begun, ShardManifest manifest, ResultTable<ShardRunRow> finished)
         {
             this.folder = folder;
             this.begun = begun;
@@ -43,7 +45,11 @@ namespace SphFluid.Validation
             if (arguments.Shard == null)
             {
                 if (begun != null)
-                    throw new CommandLineException($"--out: '{shown}' holds shard {begun.Shard} of '{begun.Command}'. Go on with --shard {begun.Shard}, or name another folder.");
+                {
+                    throw new CommandLineException(
+                        $"--out: '{shown}' holds shard {begun.Shard} of '{begun.Command}'. Go on with --shard {begun.Shard}, or name " +
+                        "another folder.");
+                }
                 return null;
             }
             ShardManifest manifest = ShardManifest.Of(arguments, device);
@@ -64,7 +70,11 @@ namespace SphFluid.Validation
         {
             SweepPlan plan = SweepPlan.Of(all, Shard.Count);
             if (begun != null && begun.Plan != plan.Hash)
-                throw new IOException($"--out: '{folder}' holds a shard of another plan ({begun.Plan} with {begun.Runs} runs; this one is {plan.Hash} with {all.Count}). Name another folder.");
+            {
+                throw new IOException(
+                    $"--out: '{folder}' holds a shard of another plan ({begun.Plan} with {begun.Runs} runs; this one is {plan.Hash} with " +
+                    $"{all.Count}). Name another folder.");
+            }
             manifest.Plan = plan.Hash;
             manifest.Runs = all.Count;
             manifest.Date = begun?.Date ?? manifest.Date;
@@ -78,7 +88,7 @@ namespace SphFluid.Validation
         /// <summary>Notes that a job is done and its rows are written.</summary>
         public void Finish(SessionJob job, TimeSpan time) => finished.Add(new ShardRunRow { Run = job.Key, Seconds = time.TotalSeconds });
 
-        static ShardManifest Find(string folder)
+        private static ShardManifest Find(string folder)
         {
             try
             {
@@ -91,22 +101,30 @@ namespace SphFluid.Validation
         }
 
         // What was measured without --shard may be of another commit.
-        static void RefuseTables(string folder, IEnumerable<ResultFile> files)
+        private static void RefuseTables(string folder, IEnumerable<ResultFile> files)
         {
-            string table = files.Select(f => f.Name).FirstOrDefault(n => n.EndsWith(".csv", StringComparison.Ordinal) && File.Exists(Path.Combine(folder, n)));
+            string table = files.Select(f => f.Name)
+                .FirstOrDefault(n => n.EndsWith(".csv", StringComparison.Ordinal) && File.Exists(Path.Combine(folder, n)));
             if (table != null)
-                throw new CommandLineException($"--out: '{CommandLineWords.Shown(folder)}' holds {table}, which no shard wrote. Name another folder.");
+            {
+                throw new CommandLineException(
+                    $"--out: '{CommandLineWords.Shown(folder)}' holds {table}, which no shard wrote. Name another folder.");
+            }
         }
 
-        static void Refuse(ShardManifest begun, ShardManifest manifest, string shown)
+        private static void Refuse(ShardManifest begun, ShardManifest manifest, string shown)
         {
             if (!begun.Shard.Equals(manifest.Shard))
             {
-                throw new CommandLineException($"--out: '{shown}' holds shard {begun.Shard} of '{begun.Command}', and this is shard {manifest.Shard}. " +
+                throw new CommandLineException(
+                    $"--out: '{shown}' holds shard {begun.Shard} of '{begun.Command}', and this is shard {manifest.Shard}. " +
                     "Give each shard a folder of its own.");
             }
             foreach ((string what, string there, string here) in begun.Differences(manifest, true))
-                throw new CommandLineException($"--out: '{shown}' holds a shard of another {what}: '{there}', and this is '{here}'. Name another folder.");
+            {
+                throw new CommandLineException(
+                    $"--out: '{shown}' holds a shard of another {what}: '{there}', and this is '{here}'. Name another folder.");
+            }
         }
     }
 }

@@ -7,7 +7,7 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>What a shard is a part of: shard.csv, a line in its folder.</summary>
-    sealed class ShardManifest
+    internal sealed class ShardManifest
     {
         /// <summary>The file of a shard.</summary>
         public static readonly TableFormat<ShardManifest> Format = Columns("shard.csv");
@@ -15,7 +15,7 @@ namespace SphFluid.Validation
         /// <summary>The file of merged results: a line for each shard.</summary>
         public static readonly TableFormat<ShardManifest> MergedFormat = Columns("shards.csv");
 
-        int index, count;
+        private int index, count;
 
         /// <summary>What is measured, see <see cref="MeasuringArguments.Command"/>; the verb is its first word.</summary>
         public string Command { get; private set; }
@@ -38,15 +38,15 @@ namespace SphFluid.Validation
         /// <summary>Day on which the shard was begun.</summary>
         public string Date { get; set; }
 
-        string Commit { get; set; }
+        private string Commit { get; set; }
 
-        string Version { get; set; }
+        private string Version { get; set; }
 
-        string Assemblies { get; set; }
+        private string Assemblies { get; set; }
 
-        string Processor { get; set; }
+        private string Processor { get; set; }
 
-        bool IsSoftware { get; set; }
+        private bool IsSoftware { get; set; }
 
         /// <summary>The program: its commit, or where it has none its version with a hash of its assemblies.</summary>
         public string Program => Commit.Length > 0 ? "commit " + Commit : $"version {Version}, assemblies {Assemblies}";
@@ -65,7 +65,8 @@ namespace SphFluid.Validation
             Assemblies = SweepBuild.Assemblies,
             Device = device,
             IsSoftware = FluidSupport.IsSoftwareDevice,
-            Processor = string.Format(CultureInfo.InvariantCulture, "{0}, {1} threads", SystemInfo.processorType, SystemInfo.processorCount),
+            Processor = string.Format(CultureInfo.InvariantCulture, "{0}, {1} threads", SystemInfo.processorType,
+                SystemInfo.processorCount),
             Date = DateTime.UtcNow.ToString("yyyy-MM-dd", CultureInfo.InvariantCulture),
         };
 
@@ -74,39 +75,38 @@ namespace SphFluid.Validation
         public static ShardManifest Find(string folder)
         {
             string file = Path.Combine(folder, Format.FileName);
-            if (!File.Exists(file) || !StartsAsOurs(file))
-                return null;
+            if (!File.Exists(file) || !StartsAsOurs(file)) return null;
             List<ShardManifest> rows = Format.ReadAll(file, () => new ShardManifest());
             if (rows.Count != 1 || !rows[0].Shard.IsPossible || !rows[0].Command.StartsWith(rows[0].Verb, StringComparison.Ordinal))
+            {
                 throw new FormatException($"'{file}' does not have one line that names a shard");
+            }
             return rows[0];
         }
 
         /// <summary>
-        /// In what two shards differ that must be alike: command, program and, as times are compared, the device. A software device's times are
-        /// the processor's, so that must be alike too.
+        /// In what two shards differ that must be alike: command, program and, as times are compared, the device. A software device's times
+        /// are the processor's, so that must be alike too.
         /// </summary>
         /// <param name="other">The other one.</param>
         /// <param name="sameDevice">Whether times are compared.</param>
         public IEnumerable<(string What, string Own, string Other)> Differences(ShardManifest other, bool sameDevice)
         {
-            if (Command != other.Command)
-                yield return ("command", Command, other.Command);
-            if (Program != other.Program)
-                yield return ("program", Program, other.Program);
+            if (Command != other.Command) yield return ("command", Command, other.Command);
+            if (Program != other.Program) yield return ("program", Program, other.Program);
             if (sameDevice && Device != other.Device)
                 yield return ("device", Device, other.Device);
             else if (sameDevice && IsSoftware && Processor != other.Processor)
                 yield return ("processor", Processor, other.Processor);
         }
 
-        static bool StartsAsOurs(string file)
+        private static bool StartsAsOurs(string file)
         {
             using (var reader = new StreamReader(file))
                 return reader.ReadLine() == Format.FirstLine;
         }
 
-        static TableFormat<ShardManifest> Columns(string fileName) => new TableFormat<ShardManifest>(fileName)
+        private static TableFormat<ShardManifest> Columns(string fileName) => new TableFormat<ShardManifest>(fileName)
             .Text("verb", m => m.Verb, (m, v) => m.Verb = v)
             .Text("command", m => m.Command, (m, v) => m.Command = v)
             .Count("shard", m => m.index, (m, v) => m.index = checked((int)v))

@@ -1,7 +1,7 @@
 namespace SphFluid.Validation
 {
     /// <summary>A line of shard-runs.csv: a run that a shard has finished, so that its rows are complete.</summary>
-    sealed class ShardRunRow : MeasuredRow
+    internal sealed class ShardRunRow : MeasuredRow
     {
         /// <summary>The file.</summary>
         public static readonly TableFormat<ShardRunRow> Format = new TableFormat<ShardRunRow>("shard-runs.csv")

@@ -4,13 +4,13 @@ using System.Linq;
 namespace SphFluid.Validation
 {
     /// <summary>A table that shards write parts of. Its lines are merged as text, so that no digit changes.</summary>
-    sealed class ShardedTable
+    internal sealed class ShardedTable
     {
-        readonly string[] names;
-        readonly int[] key;
-        readonly HashSet<string> times;
+        private readonly string[] names;
+        private readonly int[] key;
+        private readonly HashSet<string> times;
 
-        ShardedTable(ResultFile file, string[] names, IEnumerable<string> key, IEnumerable<string> times)
+        private ShardedTable(ResultFile file, string[] names, IEnumerable<string> key, IEnumerable<string> times)
         {
             File = file;
             this.names = names;
@@ -26,7 +26,8 @@ namespace SphFluid.Validation
 
         /// <summary>A table of results.</summary>
         /// <param name="format">Name and columns.</param>
-        /// <param name="key">The columns that name a run; their cells joined by | are what the job's name has behind the table's, see <see cref="RunKey{TRow}"/>.</param>
+        /// <param name="key">The columns that name a run; their cells joined by | are what the job's name has behind the table's, see
+        /// <see cref="RunKey{TRow}"/>.</param>
         /// <param name="times">The columns that are times of the device: they differ between two runs that are alike.</param>
         public static ShardedTable Of<TRow>(TableFormat<TRow> format, string[] key, params string[] times) =>
             new ShardedTable(format.File, format.Names.ToArray(), key, times);
@@ -50,7 +51,8 @@ namespace SphFluid.Validation
         }
 
         /// <summary>A line with empty cells in place of times.</summary>
-        public string WithoutTimes(string line) => CsvText.Join(CsvText.Split(line).Select((cell, i) => times.Contains(names[i]) ? "" : cell));
+        public string WithoutTimes(string line) =>
+            CsvText.Join(CsvText.Split(line).Select((cell, i) => times.Contains(names[i]) ? "" : cell));
 
         /// <summary>The first column in which two lines of a run differ that is no time, day or device; null where there is none.</summary>
         public string Difference(string one, string other)

@@ -5,17 +5,18 @@ using System.Linq;
 namespace SphFluid.Validation
 {
     /// <summary>A measurement that can be divided among machines: its tables, and what follows from them when they are whole.</summary>
-    sealed class ShardedVerb
+    internal sealed class ShardedVerb
     {
-        readonly Func<IReadOnlyList<string>, IEnumerable<ResultFile>> files;
-        readonly Action<SweepMerge, string> copy;
-        readonly Func<IReadOnlyList<string>, string, SessionProgress, IValidationSession> finish;
+        private readonly Func<IReadOnlyList<string>, IEnumerable<ResultFile>> files;
+        private readonly Action<SweepMerge, string> copy;
+        private readonly Func<IReadOnlyList<string>, string, SessionProgress, IValidationSession> finish;
 
         /// <param name="name">The verb.</param>
         /// <param name="tables">The tables that shards write.</param>
         /// <param name="files">All files of a command, the tables among them.</param>
         /// <param name="copy">Brings further files of shards into the folder of the whole; null where there are none.</param>
-        /// <param name="finish">The session that writes what follows from the tables of its folder, on a device; null where nothing does.</param>
+        /// <param name="finish">The session that writes what follows from the tables of its folder, on a device; null where nothing
+        /// does.</param>
         public ShardedVerb(string name, IReadOnlyList<ShardedTable> tables, Func<IReadOnlyList<string>, IEnumerable<ResultFile>> files,
             Action<SweepMerge, string> copy = null, Func<IReadOnlyList<string>, string, SessionProgress, IValidationSession> finish = null)
         {
@@ -31,8 +32,10 @@ namespace SphFluid.Validation
         {
             ChartShards.Verb,
             StabilityShards.Verb,
-            new ShardedVerb("leaks", new[] { ShardedTable.Of(LeakResult.Format, new[] { "scene" }) }, _ => new[] { LeakResult.Format.File }),
-            new ShardedVerb("surfaces", new[] { ShardedTable.Of(SurfaceQuality.Format, new[] { "state", "variant" }, "gpu_ms") }, _ => new[] { SurfaceQuality.Format.File }),
+            new ShardedVerb("leaks", new[] { ShardedTable.Of(LeakResult.Format, new[] { "scene" }) },
+                _ => new[] { LeakResult.Format.File }),
+            new ShardedVerb("surfaces", new[] { ShardedTable.Of(SurfaceQuality.Format, new[] { "state", "variant" }, "gpu_ms") },
+                _ => new[] { SurfaceQuality.Format.File }),
         };
 
         /// <summary>The verb.</summary>
@@ -55,6 +58,7 @@ namespace SphFluid.Validation
         public void Copy(SweepMerge merge, string folder) => copy?.Invoke(merge, folder);
 
         /// <summary>The session that writes what follows from the tables; null where nothing does.</summary>
-        public IValidationSession Finish(IReadOnlyList<string> words, string device, SessionProgress progress) => finish?.Invoke(words, device, progress);
+        public IValidationSession Finish(IReadOnlyList<string> words, string device, SessionProgress progress) =>
+            finish?.Invoke(words, device, progress);
     }
 }

@@ -9,7 +9,7 @@ using System.Text;
 namespace SphFluid.Validation
 {
     /// <summary>The runs of a whole sweep in their order, and which shard does each: shard-plan.csv, the same in every shard.</summary>
-    sealed class SweepPlan
+    internal sealed class SweepPlan
     {
         /// <summary>The file.</summary>
         public static readonly TableFormat<PlannedRun> Format = new TableFormat<PlannedRun>("shard-plan.csv")
@@ -17,7 +17,7 @@ namespace SphFluid.Validation
             .Text("cost", r => r.Cost, (r, v) => r.Cost = v)
             .Count("shard", r => r.Shard, (r, v) => r.Shard = checked((int)v));
 
-        SweepPlan(IReadOnlyList<PlannedRun> runs)
+        private SweepPlan(IReadOnlyList<PlannedRun> runs)
         {
             Runs = runs;
             Hash = HashOf(runs);
@@ -26,7 +26,9 @@ namespace SphFluid.Validation
         /// <summary>The runs in their order.</summary>
         public IReadOnlyList<PlannedRun> Runs { get; }
 
-        /// <summary>Equal for the same runs with the same costs in the same order, however many shards there are: 16 hexadecimal digits.</summary>
+        /// <summary>
+        /// Equal for the same runs with the same costs in the same order, however many shards there are: 16 hexadecimal digits.
+        /// </summary>
         public string Hash { get; }
 
         /// <summary>Deals jobs to shards.</summary>
@@ -53,11 +55,12 @@ namespace SphFluid.Validation
         /// <summary>Writes the file.</summary>
         public void Write(string folder) => Format.Write(folder, Runs);
 
-        static string HashOf(IEnumerable<PlannedRun> runs)
+        private static string HashOf(IEnumerable<PlannedRun> runs)
         {
             using (var sha = SHA256.Create())
             {
-                byte[] hash = sha.ComputeHash(Encoding.UTF8.GetBytes(string.Join("\n", runs.Select(r => CsvText.Join(new[] { r.Key, r.Cost })))));
+                byte[] hash =
+                    sha.ComputeHash(Encoding.UTF8.GetBytes(string.Join("\n", runs.Select(r => CsvText.Join(new[] { r.Key, r.Cost })))));
                 return string.Concat(hash.Take(8).Select(b => b.ToString("x2", CultureInfo.InvariantCulture)));
             }
         }

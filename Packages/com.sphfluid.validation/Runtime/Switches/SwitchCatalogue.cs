@@ -4,30 +4,42 @@ using UnityEngine;
 
 namespace SphFluid.Validation
 {
-    /// <summary>One experiment for each place where the thesis's text and the form that works part (<see cref="ThesisSwitches"/>).</summary>
+    /// <summary>
+    /// One experiment for each place where the thesis's text and the form that works part (<see cref="ThesisSwitches"/>).
+    /// </summary>
     public static class SwitchCatalogue
     {
         // Suction tears a liquid of the rules' stiffness apart in hundredths of a second: a hundredth of it lets one see how.
-        const float Calm = 0.01f;
+        private const float Calm = 0.01f;
 
-        delegate void Change(ref ThesisSwitches switches);
+        private delegate void Change(ref ThesisSwitches switches);
 
         /// <summary>All, in the order of the chapters.</summary>
         public static IReadOnlyList<SwitchExperiment> All() => new[]
         {
-            EightCells(), SelfDensity(), SelfDensityInFreeFall(), PressureClamp(), PressureHalf(), ForceTimesMass(), AccelerationLimit(), HalfKick(), AllPrinted(),
+            EightCells(), SelfDensity(), SelfDensityInFreeFall(), PressureClamp(), PressureHalf(), ForceTimesMass(), AccelerationLimit(),
+            HalfKick(), AllPrinted(),
         };
 
-        /// <summary>6.2: 8 cells are enough only where cells are 2h wide; with cells of h pairs are lost, forces have no counterforce, and a column at rest boils.</summary>
+        /// <summary>
+        /// 6.2: 8 cells are enough only where cells are 2h wide; with cells of h pairs are lost, forces have no counterforce, and a column
+        /// at rest boils.
+        /// </summary>
         public static SwitchExperiment EightCells()
         {
             FluidParticle[] start = Column(0.025f, new Vector3Int(6, 14, 6), out FluidSolverSettings settings);
             FluidSolverSettings rows = settings;
             rows.OctantSearch = false;
-            return new SwitchExperiment("eight-cells", start, 1.2f, settings, rows) { EightCellsOfSmoothLength = true, Color = SwitchColor.Speed };
+            return new SwitchExperiment("eight-cells", start, 1.2f, settings, rows)
+            {
+                EightCellsOfSmoothLength = true,
+                Color = SwitchColor.Speed
+            };
         }
 
-        /// <summary>6.3.1: without itself a particle finds 0.81 of the density, and a column at rest shrinks until it finds all of it.</summary>
+        /// <summary>
+        /// 6.3.1: without itself a particle finds 0.81 of the density, and a column at rest shrinks until it finds all of it.
+        /// </summary>
         public static SwitchExperiment SelfDensity()
         {
             FluidParticle[] start = Column(0.025f, new Vector3Int(6, 14, 6), out FluidSolverSettings settings);
@@ -37,7 +49,8 @@ namespace SphFluid.Validation
         /// <summary>The same in free fall, where only suction can pull: both sides are without the clamp.</summary>
         public static SwitchExperiment SelfDensityInFreeFall()
         {
-            FluidParticle[] start = Block(0.025f, new Vector3Int(9, 9, 9), new Vector3(0.4f, 0.7f, 0.4f), 0.2f, out FluidSolverSettings settings);
+            FluidParticle[] start =
+                Block(0.025f, new Vector3Int(9, 9, 9), new Vector3(0.4f, 0.7f, 0.4f), 0.2f, out FluidSolverSettings settings);
             settings.PressureClamp = false;
             settings = settings.WithOwn((ref ThesisSettings own) => own.Stiffness *= Calm);
             return One("free-fall", start, 0.2f, settings, (ref ThesisSwitches s) => s.SelfDensity = false);
@@ -46,7 +59,8 @@ namespace SphFluid.Validation
         /// <summary>Equation (10): a sheet without gravity; suction draws it into clumps.</summary>
         public static SwitchExperiment PressureClamp()
         {
-            FluidParticle[] start = Block(0.025f, new Vector3Int(24, 1, 24), new Vector3(0.8f, 0.4f, 0.8f), 0f, out FluidSolverSettings settings);
+            FluidParticle[] start =
+                Block(0.025f, new Vector3Int(24, 1, 24), new Vector3(0.8f, 0.4f, 0.8f), 0f, out FluidSolverSettings settings);
             settings.Gravity = Vector3.zero;
             settings = settings.WithOwn((ref ThesisSettings own) => own.Stiffness *= Calm);
             SwitchExperiment experiment = One("pressure-clamp", start, 0.2f, settings, (ref ThesisSwitches s) => s.PressureClamp = false);
@@ -81,7 +95,8 @@ namespace SphFluid.Validation
         /// <summary>6.3.4: a block falls for 0.4 s in steps of 20 ms; without the half kick it is ½ g t dt ahead.</summary>
         public static SwitchExperiment HalfKick()
         {
-            FluidParticle[] start = Block(0.05f, new Vector3Int(5, 3, 5), new Vector3(0.6f, 1.4f, 0.6f), 0.55f, out FluidSolverSettings settings);
+            FluidParticle[] start =
+                Block(0.05f, new Vector3Int(5, 3, 5), new Vector3(0.6f, 1.4f, 0.6f), 0.55f, out FluidSolverSettings settings);
             settings.TimeStep = 0.02f;
             return One("half-kick", start, 0.4f, settings, (ref ThesisSwitches s) => s.HalfKick = false);
         }
@@ -89,9 +104,9 @@ namespace SphFluid.Validation
         /// <summary>The whole text as printed: a column that breaks, at 10 mm, where force times mass has about the right size.</summary>
         public static SwitchExperiment AllPrinted()
         {
-            FluidParticle[] start = Block(0.01f, new Vector3Int(10, 16, 8), new Vector3(0.32f, 0.24f, 0.08f), 0f, out FluidSolverSettings settings);
-            for (int i = 0; i < start.Length; i++)
-                start[i].Position += new Vector3(-0.11f, -0.04f, 0f);
+            FluidParticle[] start =
+                Block(0.01f, new Vector3Int(10, 16, 8), new Vector3(0.32f, 0.24f, 0.08f), 0f, out FluidSolverSettings settings);
+            for (int i = 0; i < start.Length; i++) start[i].Position += new Vector3(-0.11f, -0.04f, 0f);
             return new SwitchExperiment("printed", start, 0.25f, settings, settings.With(ThesisSwitches.Printed));
         }
 
@@ -105,7 +120,8 @@ namespace SphFluid.Validation
             return Block(spacing, side * Vector3Int.one, spacing * side * new Vector3(1f, 2f, 1f), -0.5f * spacing * side, out settings);
         }
 
-        static SwitchExperiment One(string name, FluidParticle[] start, float seconds, in FluidSolverSettings settings, Change change)
+        private static SwitchExperiment One(string name, FluidParticle[] start, float seconds, in FluidSolverSettings settings,
+            Change change)
         {
             ThesisSwitches switches = ThesisSwitches.Corrected;
             switches.PressureClamp = settings.PressureClamp;
@@ -115,14 +131,15 @@ namespace SphFluid.Validation
         }
 
         // A lattice that fills the width of its box from the floor up to 0.8 of the height.
-        static FluidParticle[] Column(float spacing, Vector3Int counts, out FluidSolverSettings settings)
+        private static FluidParticle[] Column(float spacing, Vector3Int counts, out FluidSolverSettings settings)
         {
             Vector3 domain = spacing * new Vector3(counts.x, counts.y * 1.25f, counts.z);
             return Block(spacing, counts, domain, 0.5f * (spacing * counts.y - domain.y), out settings);
         }
 
         // A lattice in a box, its centre at a height over the box's centre, with a jitter of 2 % where it will settle.
-        static FluidParticle[] Block(float spacing, Vector3Int counts, Vector3 domain, float height, out FluidSolverSettings settings)
+        private static FluidParticle[] Block(float spacing, Vector3Int counts, Vector3 domain, float height,
+            out FluidSolverSettings settings)
         {
             var random = new System.Random(5);
             float jitter = height > 0f ? 0f : 0.02f * spacing;
@@ -131,7 +148,8 @@ namespace SphFluid.Validation
             {
                 var cell = new Vector3(i % counts.x - 0.5f * (counts.x - 1), i / counts.x % counts.y - 0.5f * (counts.y - 1),
                     i / (counts.x * counts.y) - 0.5f * (counts.z - 1));
-                var offset = new Vector3((float)random.NextDouble() - 0.5f, (float)random.NextDouble() - 0.5f, (float)random.NextDouble() - 0.5f);
+                var offset = new Vector3((float)random.NextDouble() - 0.5f, (float)random.NextDouble() - 0.5f,
+                    (float)random.NextDouble() - 0.5f);
                 particles[i] = new FluidParticle(spacing * cell + 2f * jitter * offset + height * Vector3.up, Vector3.zero, (uint)i);
             }
             FluidRuleInput input = FluidRuleInput.ThesisWater;

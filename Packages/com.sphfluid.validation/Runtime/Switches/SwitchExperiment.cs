@@ -7,9 +7,10 @@ namespace SphFluid.Validation
     /// <summary>A small liquid whose end shows what one printed form of the thesis does beside the corrected one.</summary>
     public sealed class SwitchExperiment
     {
-        const string CommandName = "Switch Experiment";
+        private const string CommandName = "Switch Experiment";
 
-        internal SwitchExperiment(string name, FluidParticle[] start, float seconds, in FluidSolverSettings corrected, in FluidSolverSettings printed)
+        internal SwitchExperiment(string name, FluidParticle[] start, float seconds, in FluidSolverSettings corrected,
+            in FluidSolverSettings printed)
         {
             Name = name;
             Start = start;

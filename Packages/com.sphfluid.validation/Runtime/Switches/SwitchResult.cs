@@ -59,7 +59,9 @@ namespace SphFluid.Validation
             {
                 bool found = false;
                 for (int j = 0; j < Particles.Length && !found; j++)
+                {
                     found = j != i && (Particles[i].Position - Particles[j].Position).sqrMagnitude < limit;
+                }
                 near += found ? 1 : 0;
             }
             return near / (double)Particles.Length;
@@ -89,7 +91,7 @@ namespace SphFluid.Validation
             }
         }
 
-        static T[] Read<T>(GraphicsBuffer buffer, int count) where T : struct
+        private static T[] Read<T>(GraphicsBuffer buffer, int count) where T : struct
         {
             var data = new T[count];
             buffer.GetData(data);

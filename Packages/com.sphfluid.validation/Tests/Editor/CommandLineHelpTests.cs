@@ -9,7 +9,7 @@ namespace SphFluid.Tests
     /// <summary>Help and parser have the same flags; what is said of one is what it does.</summary>
     public sealed class CommandLineHelpTests
     {
-        static readonly Dictionary<string, Action<string[]>> Parsers = new Dictionary<string, Action<string[]>>
+        private static readonly Dictionary<string, Action<string[]>> Parsers = new Dictionary<string, Action<string[]>>
         {
             ["play"] = w => PlayArguments.Parse(w),
             ["bench"] = w => BenchArguments.Parse(w),
@@ -25,12 +25,12 @@ namespace SphFluid.Tests
             ["figures"] = w => FigureArguments.Parse(w, new[] { "clumps" }),
         };
 
-        static IEnumerable<TestCaseData> Options() =>
+        private static IEnumerable<TestCaseData> Options() =>
             from verb in CommandLineHelp.Verbs
             from option in CommandLineHelp.FlagsOf(verb)
             select new TestCaseData(Parsers[verb], option).SetName($"{{m}}({verb} {option.Name})");
 
-        static IEnumerable<TestCaseData> Choices() =>
+        private static IEnumerable<TestCaseData> Choices() =>
             from verb in CommandLineHelp.Verbs
             from option in CommandLineHelp.FlagsOf(verb)
             from choice in option.Choices
@@ -44,7 +44,8 @@ namespace SphFluid.Tests
             if (option.Value == null)
                 parse(new[] { "player", "--", option.Name });
             else
-                Assert.That(() => parse(new[] { "player", "--", option.Name }), Throws.TypeOf<CommandLineException>().With.Message.Contains("needs a value"));
+                Assert.That(() => parse(new[] { "player", "--", option.Name }),
+                    Throws.TypeOf<CommandLineException>().With.Message.Contains("needs a value"));
         }
 
         [TestCaseSource(nameof(Choices))]
@@ -54,7 +55,8 @@ namespace SphFluid.Tests
         public void ASlipIsAnsweredWithTheNearest()
         {
             var flag = Assert.Throws<CommandLineException>(() => PlayArguments.Parse(new[] { "player", "--", "--sede", "1" }));
-            var value = Assert.Throws<CommandLineException>(() => PlayArguments.Parse(new[] { "player", "--", "--surface", "marching-cube" }));
+            var value =
+                Assert.Throws<CommandLineException>(() => PlayArguments.Parse(new[] { "player", "--", "--surface", "marching-cube" }));
 
             Assert.That(flag.Message, Does.Contain("; did you mean --seed? Its flags are --"));
             Assert.That(value.Message, Does.EndWith("found 'marching-cube'; did you mean marching-cubes?"));

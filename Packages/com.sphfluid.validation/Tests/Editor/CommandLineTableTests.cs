@@ -10,46 +10,59 @@ namespace SphFluid.Tests
     /// <summary>Every flag of every verb with every kind of wrong value: one line that names the flag.</summary>
     public sealed class CommandLineTableTests
     {
-        static readonly string[] NoNames = { "", " ", "-1", "NaN", "no such thing", "99999999999999999999", "\n" };
-        static readonly string[] NoCounts = { "", " ", "-1", "0", "NaN", "1.5", "1e30", "0x10", "1_000", "99999999999999999999", "many" };
-        static readonly string[] NoSeeds = { "", "-1", "NaN", "1.5", "1e30", "99999999999999999999", "many" };
-        static readonly string[] NoMinutes = { "", "-1", "0", "NaN", "Infinity", "1e30", "1e-30", "99999999999999999999", "soon" };
-        static readonly string[] NoShares = { "", " ", "-1", "-5%", "0", "0%", "%", "NaN", "Infinity", "1e30", "5 per cent", "soon" };
-        static readonly string[] NoShards = { "", " ", "1", "/", "1/", "/2", "0/3", "4/3", "1/0", "0/0", "-1/3", "+1/3", "1/-3", "a/b", "1.0/3", "1/2/3", "1/1000000", "1/99999999999999999999" };
-        static readonly string[] NoFolders = { "", " " };
-        static readonly string[] NoFiles = { "", " ", "a", ".ply", ".csv", "a.txt" };
+        private static readonly string[] NoNames = { "", " ", "-1", "NaN", "no such thing", "99999999999999999999", "\n" };
+        private static readonly string[] NoCounts = { "", " ", "-1", "0", "NaN", "1.5", "1e30", "0x10", "1_000",
+            "99999999999999999999", "many" };
+        private static readonly string[] NoSeeds = { "", "-1", "NaN", "1.5", "1e30", "99999999999999999999", "many" };
+        private static readonly string[] NoMinutes = { "", "-1", "0", "NaN", "Infinity", "1e30", "1e-30", "99999999999999999999", "soon" };
+        private static readonly string[] NoShares = { "", " ", "-1", "-5%", "0", "0%", "%", "NaN", "Infinity", "1e30",
+            "5 per cent", "soon" };
+        private static readonly string[] NoShards = { "", " ", "1", "/", "1/", "/2", "0/3", "4/3", "1/0", "0/0", "-1/3", "+1/3", "1/-3",
+            "a/b", "1.0/3", "1/2/3", "1/1000000", "1/99999999999999999999" };
+        private static readonly string[] NoFolders = { "", " " };
+        private static readonly string[] NoFiles = { "", " ", "a", ".ply", ".csv", "a.txt" };
 
-        static readonly (string Verb, Action<string[]> Parse, (string Flag, string[] Wrong)[] Flags)[] Verbs =
+        private static readonly (string Verb, Action<string[]> Parse, (string Flag, string[] Wrong)[] Flags)[] Verbs =
         {
             ("play", w => PlayArguments.Parse(w), new[]
             {
-                ("--method", NoNames), ("--budget", NoMinutes), ("--surface", NoNames), ("--particles", NoCounts), ("--seed", NoSeeds), ("--sequence", NoFolders), ("--write-sequence", NoFolders), ("--state", NoFiles), ("--mesh", NoFiles), ("--record", NoFiles),
+                ("--method", NoNames), ("--budget", NoMinutes), ("--surface", NoNames), ("--particles", NoCounts), ("--seed", NoSeeds),
+                ("--sequence", NoFolders), ("--write-sequence", NoFolders), ("--state", NoFiles), ("--mesh", NoFiles),
+                ("--record", NoFiles),
             }),
             ("bench", w => BenchArguments.Parse(w), new[]
             {
                 ("--table", NoNames), ("--particles", NoCounts), ("--grids", NoCounts), ("--repeat", NoCounts), ("--out", NoFolders),
             }),
-            ("chart", w => ChartArguments.Parse(w), new[] { ("--case", NoNames), ("--method", NoNames), ("--slice", NoMinutes), ("--shard", NoShards), ("--out", NoFolders) }),
+            ("chart", w => ChartArguments.Parse(w),
+                new[] { ("--case", NoNames), ("--method", NoNames), ("--slice", NoMinutes), ("--shard", NoShards), ("--out", NoFolders) }),
             ("choose", w => ChooseArguments.Parse(w), new[]
             {
-                ("--case", NoNames), ("--error", NoShares), ("--ms", NoShares), ("--fps", NoShares), ("--length", NoShares), ("--speed", NoShares),
+                ("--case", NoNames), ("--error", NoShares), ("--ms", NoShares), ("--fps", NoShares), ("--length", NoShares),
+                ("--speed", NoShares),
                 ("--volume", NoShares), ("--compression", NoShares), ("--chart", NoFolders), ("--verify", NoCounts), ("--out", NoFolders),
             }),
-            ("stability", w => StabilityArguments.Parse(w), new[] { ("--map", NoNames), ("--method", NoNames), ("--slice", NoMinutes), ("--shard", NoShards), ("--out", NoFolders) }),
+            ("stability", w => StabilityArguments.Parse(w),
+                new[] { ("--map", NoNames), ("--method", NoNames), ("--slice", NoMinutes), ("--shard", NoShards), ("--out", NoFolders) }),
             ("leaks", w => LeakArguments.Parse(w), new[] { ("--scene", NoNames), ("--shard", NoShards), ("--out", NoFolders) }),
-            ("surfaces", w => SurfaceArguments.Parse(w), new[] { ("--state", NoNames), ("--variant", NoNames), ("--shard", NoShards), ("--out", NoFolders) }),
+            ("surfaces", w => SurfaceArguments.Parse(w),
+                new[] { ("--state", NoNames), ("--variant", NoNames), ("--shard", NoShards), ("--out", NoFolders) }),
             ("merge", w => MergeArguments.Parse(w), new[] { ("--out", NoFolders) }),
-            ("budgets", w => BudgetArguments.Parse(w), new[] { ("--budget", NoMinutes), ("--particles", NoCounts), ("--repeat", NoCounts), ("--out", NoFolders) }),
+            ("budgets", w => BudgetArguments.Parse(w),
+                new[] { ("--budget", NoMinutes), ("--particles", NoCounts), ("--repeat", NoCounts), ("--out", NoFolders) }),
             ("export", w => ExportArguments.Parse(w), new[]
             {
-                ("--scene", NoFiles), ("--engine", NoNames), ("--scheme", NoNames), ("--seconds", NoShares), ("--frame-rate", NoShares), ("--spacing", NoShares),
+                ("--scene", NoFiles), ("--engine", NoNames), ("--scheme", NoNames), ("--seconds", NoShares), ("--frame-rate", NoShares),
+                ("--spacing", NoShares),
                 ("--particles", NoCounts), ("--ranks", NoCounts), ("--out", NoFolders),
             }),
-            ("peers", w => PeerArguments.Parse(w), new[] { ("--case", NoNames), ("--python", NoFolders), ("--chart", NoFolders), ("--slice", NoMinutes), ("--out", NoFolders) }),
+            ("peers", w => PeerArguments.Parse(w),
+                new[] { ("--case", NoNames), ("--python", NoFolders), ("--chart", NoFolders), ("--slice", NoMinutes),
+                    ("--out", NoFolders) }),
             ("figures", w => FigureArguments.Parse(w, new[] { "clumps" }), new[] { ("--only", NoNames), ("--out", NoFolders) }),
         };
 
-        static IEnumerable<TestCaseData> Rows() =>
+        private static IEnumerable<TestCaseData> Rows() =>
             from verb in Verbs
             from flag in verb.Flags
             from wrong in flag.Wrong
@@ -57,15 +70,15 @@ namespace SphFluid.Tests
             select new TestCaseData(verb.Parse, flag.Flag, wrong, joined)
                 .SetName($"AWrongValueIsOneLine({verb.Verb} {flag.Flag}{(joined ? "=" : " ")}'{wrong.Replace("\n", "newline")}')");
 
-        static IEnumerable<TestCaseData> Flags() =>
+        private static IEnumerable<TestCaseData> Flags() =>
             from verb in Verbs
             from flag in verb.Flags
             select new TestCaseData(verb.Parse, flag.Flag).SetName($"AFlagAlone({verb.Verb} {flag.Flag})");
 
-        static IEnumerable<TestCaseData> EveryVerb() =>
+        private static IEnumerable<TestCaseData> EveryVerb() =>
             from verb in Verbs select new TestCaseData(verb.Verb, verb.Parse).SetName($"AnUnknownFlag({verb.Verb})");
 
-        static IEnumerable<TestCaseData> Folders() =>
+        private static IEnumerable<TestCaseData> Folders() =>
             from verb in Verbs
             where verb.Flags.Any(f => f.Flag == "--out")
             select new TestCaseData(verb.Parse).SetName($"AFileInPlaceOfAFolder({verb.Verb} --out)");
@@ -92,7 +105,8 @@ namespace SphFluid.Tests
             {
                 Assert.That(Expect(parse, "--out", "--out", file), Does.Contain("is a file; name a folder"));
                 Assert.That(Expect(parse, "--out", "--out", Path.Combine(file, "below")), Does.Contain("is a file"));
-                Assert.That(Expect(parse, "--out", "--out", Path.Combine(Path.GetTempPath(), new string('x', 300))), Does.Contain("cannot be written"));
+                Assert.That(Expect(parse, "--out", "--out", Path.Combine(Path.GetTempPath(), new string('x', 300))),
+                    Does.Contain("cannot be written"));
             }
             finally
             {
@@ -118,12 +132,14 @@ namespace SphFluid.Tests
         [TestCase("--record", ".csv")]
         public void AFileThatCannotBeWrittenIsRefused(string flag, string ending)
         {
-            Assert.That(Expect(w => PlayArguments.Parse(w), flag, flag, Path.Combine(Path.GetTempPath(), new string('x', 300) + ending)), Does.Contain("cannot be written"));
+            Assert.That(Expect(w => PlayArguments.Parse(w), flag, flag, Path.Combine(Path.GetTempPath(), new string('x', 300) + ending)),
+                Does.Contain("cannot be written"));
             PlayArguments.Parse(new[] { "player", "--", flag, Path.Combine(Path.GetTempPath(), "no such folder", "a" + ending) });
-            Assert.That(Directory.Exists(Path.Combine(Path.GetTempPath(), "no such folder")), Is.False, "nothing is made before there is something to write");
+            Assert.That(Directory.Exists(Path.Combine(Path.GetTempPath(), "no such folder")), Is.False,
+                "nothing is made before there is something to write");
         }
 
-        static string Expect(Action<string[]> parse, string flag, params string[] words)
+        private static string Expect(Action<string[]> parse, string flag, params string[] words)
         {
             var exception = Assert.Throws<CommandLineException>(() => parse(new[] { "player", "--" }.Concat(words).ToArray()));
             Assert.That(exception.Message, Does.Contain(flag));

@@ -10,9 +10,9 @@ namespace SphFluid.Tests
     /// <summary>The page "Output files" has every column of every measured table, in the order of the file, and no other.</summary>
     public sealed class DocumentedColumnsTests
     {
-        const string Page = "Packages/com.sphfluid.validation/Documentation~/output-files.md";
+        private const string Page = "Packages/com.sphfluid.validation/Documentation~/output-files.md";
 
-        static IEnumerable<TestCaseData> Tables()
+        private static IEnumerable<TestCaseData> Tables()
         {
             yield return Table("accuracy.csv", ChartRow.Format.Names);
             yield return Table("step-costs.csv", StepCostRow.Format.Names);
@@ -40,7 +40,7 @@ namespace SphFluid.Tests
             yield return Table("Record", PlayRecorder.RecordColumns.Prepend("frame"));
         }
 
-        static TestCaseData Table(string heading, IEnumerable<string> columns) =>
+        private static TestCaseData Table(string heading, IEnumerable<string> columns) =>
             new TestCaseData(heading, columns.ToArray()).SetName($"ThePageHasTheColumnsThatAreWritten({heading})");
 
         [TestCaseSource(nameof(Tables))]
@@ -49,14 +49,19 @@ namespace SphFluid.Tests
 
         [Test]
         public void AColumnThatThePageLacksIsFound() =>
-            Assert.That(ColumnsUnder("a.csv", "## a.csv\n\n| Column | Meaning |\n|---|---|\n| `one`, `two` | `three` |\n| `four` | |\n\n## b.csv\n\n| Column | Meaning |\n|---|---|\n| `five` | |\n"),
+            Assert.That(
+                ColumnsUnder("a.csv",
+                    "## a.csv\n\n| Column | Meaning |\n|---|---|\n| `one`, `two` | `three` |\n| `four` | |\n\n## b.csv\n\n| Column | " +
+                    "Meaning |\n|---|---|\n| `five` | |\n"),
                 Is.EqualTo(new[] { "one", "two", "four" }));
 
-        static string[] ColumnsUnder(string heading, string page)
+        private static string[] ColumnsUnder(string heading, string page)
         {
-            string section = Regex.Match(page, $@"^## {Regex.Escape(heading)}\n([\s\S]*?)(?=^## |\z)", RegexOptions.Multiline).Groups[1].Value;
+            string section = Regex.Match(page, $@"^## {Regex.Escape(heading)}\n([\s\S]*?)(?=^## |\z)",
+                RegexOptions.Multiline).Groups[1].Value;
             return Regex.Matches(section, @"^\| (`[^|]*)\|", RegexOptions.Multiline).Cast<Match>()
-                .SelectMany(row => Regex.Matches(row.Groups[1].Value, "`([^`]+)`").Cast<Match>()).Select(name => name.Groups[1].Value).ToArray();
+                .SelectMany(row => Regex.Matches(row.Groups[1].Value, "`([^`]+)`").Cast<Match>())
+                .Select(name => name.Groups[1].Value).ToArray();
         }
     }
 }

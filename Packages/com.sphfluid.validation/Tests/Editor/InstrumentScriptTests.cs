@@ -8,7 +8,7 @@ namespace SphFluid.Tests
     /// <summary>Columns and plot of what instruments read.</summary>
     public sealed class InstrumentScriptTests
     {
-        static InstrumentCurve Curve(string name, string column, string unit, int firstRow, params double[] values)
+        private static InstrumentCurve Curve(string name, string column, string unit, int firstRow, params double[] values)
         {
             var curve = new InstrumentCurve($"{name}.{column}", name, new FluidReading(column, unit, 0.0), firstRow);
             for (int i = 0; i < values.Length; i++) curve.Add(firstRow + i, 0.1 * (firstRow + i), values[i]);
@@ -20,7 +20,8 @@ namespace SphFluid.Tests
         {
             InstrumentCurve curve = Curve("Wall", "pressure_pa", "Pa", 2, 5.0, 6.0);
             curve.Add(6, 0.6, 7.0); // rows 4 and 5 were of another liquid
-            Assert.That(Enumerable.Range(0, 8).Select(curve.At), Is.EqualTo(new[] { double.NaN, double.NaN, 5.0, 6.0, double.NaN, double.NaN, 7.0, double.NaN }));
+            Assert.That(Enumerable.Range(0, 8).Select(curve.At),
+                Is.EqualTo(new[] { double.NaN, double.NaN, 5.0, 6.0, double.NaN, double.NaN, 7.0, double.NaN }));
         }
 
         [Test]

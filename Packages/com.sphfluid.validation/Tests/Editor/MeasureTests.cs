@@ -12,8 +12,7 @@ namespace SphFluid.Tests
         {
             // 5³ points a unit apart: within 1.5 the centre has 6 + 12 neighbours, and no point has more.
             var points = new Vector3[125];
-            for (int i = 0; i < points.Length; i++)
-                points[i] = new Vector3(i % 5, i / 5 % 5, i / 25);
+            for (int i = 0; i < points.Length; i++) points[i] = new Vector3(i % 5, i / 5 % 5, i / 25);
 
             NeighbourCount count = NeighbourCount.Of(points, 1.5f);
 
@@ -65,8 +64,10 @@ namespace SphFluid.Tests
                 new FluidParticle(new Vector3(float.NaN, 0, 0), Vector3.zero, 2),
                 new FluidParticle(Vector3.zero, new Vector3(0, float.PositiveInfinity, 0), 3),
             };
-            FluidSnapshot snapshot = FluidSnapshot.FromParticles(particles, new[] { 1020f, 900f, 1000f, 1000f }, new float[4], Matrix4x4.identity);
-            var settings = new FluidSolverSettings { DomainSize = Vector3.one, TimeStep = 0.001f, RestDensity = 1000f, ParticleMass = 0.5f };
+            FluidSnapshot snapshot =
+                FluidSnapshot.FromParticles(particles, new[] { 1020f, 900f, 1000f, 1000f }, new float[4], Matrix4x4.identity);
+            var settings =
+                new FluidSolverSettings { DomainSize = Vector3.one, TimeStep = 0.001f, RestDensity = 1000f, ParticleMass = 0.5f };
 
             SnapshotStatistics statistics = SnapshotStatistics.Of(snapshot, settings);
 
@@ -90,7 +91,7 @@ namespace SphFluid.Tests
             Assert.That(HashOf(a, b), Is.Not.EqualTo(HashOf(a, c)));
         }
 
-        static string HashOf(params FluidParticle[] particles) =>
+        private static string HashOf(params FluidParticle[] particles) =>
             FluidSnapshot.FromParticles(particles, new float[particles.Length], new float[particles.Length], Matrix4x4.identity).Hash;
     }
 }

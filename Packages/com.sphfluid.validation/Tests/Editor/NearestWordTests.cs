@@ -5,7 +5,7 @@ namespace SphFluid.Tests
 {
     public sealed class NearestWordTests
     {
-        static readonly string[] Flags = { "--scene", "--seconds", "--fps", "--size", "--surface", "--seed" };
+        private static readonly string[] Flags = { "--scene", "--seconds", "--fps", "--size", "--surface", "--seed" };
 
         [TestCase("--szie", "--size", TestName = "TwoLettersSwapped")]
         [TestCase("--sizes", "--size", TestName = "OneTooMany")]

@@ -9,7 +9,7 @@ namespace SphFluid.Tests
 {
     public sealed class OutputTests
     {
-        string folder;
+        private string folder;
 
         [SetUp]
         public void MakeFolder()
@@ -24,7 +24,8 @@ namespace SphFluid.Tests
         [Test]
         public void JsonHasArraysOfNumbers()
         {
-            Assert.That(new JsonObject().Add("some", new[] { 1.5, double.NaN, -2 }).Add("none", new double[0]).ToString(), Is.EqualTo("{\n  \"some\": [1.5,null,-2],\n  \"none\": []\n}"));
+            Assert.That(new JsonObject().Add("some", new[] { 1.5, double.NaN, -2 }).Add("none", new double[0]).ToString(),
+                Is.EqualTo("{\n  \"some\": [1.5,null,-2],\n  \"none\": []\n}"));
         }
 
         [Test]
@@ -55,7 +56,8 @@ namespace SphFluid.Tests
         [Test]
         public void JsonHasNoWordForNaN()
         {
-            Assert.That(new JsonObject().Add("a", double.NaN).Add("b", double.PositiveInfinity).ToString(), Does.Not.Contain("NaN").And.Not.Contain("Inf"));
+            Assert.That(new JsonObject().Add("a", double.NaN).Add("b", double.PositiveInfinity).ToString(),
+                Does.Not.Contain("NaN").And.Not.Contain("Inf"));
         }
 
         [Test]
@@ -85,7 +87,8 @@ namespace SphFluid.Tests
                 new FluidParticle(new Vector3(0.001f, 2, 3), Vector3.zero, 0),
             };
             // At 100 km neighbouring floats lie 8 mm apart.
-            FluidSnapshot snapshot = FluidSnapshot.FromParticles(particles, new[] { 1001f, 1000f }, new[] { 5f, 0f }, Matrix4x4.Translate(new Vector3(1e5f, 0f, -0.5f)));
+            FluidSnapshot snapshot = FluidSnapshot.FromParticles(particles, new[] { 1001f, 1000f }, new[] { 5f, 0f },
+                Matrix4x4.Translate(new Vector3(1e5f, 0f, -0.5f)));
             string file = Path.Combine(folder, "state.ply");
 
             PlyWriter.WriteParticles(file, snapshot);
@@ -98,15 +101,18 @@ namespace SphFluid.Tests
             Assert.That(BitConverter.ToDouble(bytes, data + 48), Is.EqualTo(100004.0), "x of id 1 in world space");
             Assert.That(BitConverter.ToSingle(bytes, data + 48 + 36), Is.EqualTo(1001f), "density of id 1");
             Assert.That(BitConverter.ToUInt32(bytes, data + 48 + 44), Is.EqualTo(1u));
-            Assert.That(Encoding.ASCII.GetString(bytes, 0, data), Does.Contain("\ncomment metres in world space; the centre of the domain is at 100000 0 -0.5\n"));
-            var settings = new FluidSolverSettings { DomainSize = Vector3.one, TimeStep = 0.001f, RestDensity = 1000f, ParticleMass = 0.5f };
+            Assert.That(Encoding.ASCII.GetString(bytes, 0, data),
+                Does.Contain("\ncomment metres in world space; the centre of the domain is at 100000 0 -0.5\n"));
+            var settings =
+                new FluidSolverSettings { DomainSize = Vector3.one, TimeStep = 0.001f, RestDensity = 1000f, ParticleMass = 0.5f };
             Assert.That(SnapshotStatistics.Of(snapshot, settings).Centre.X, Is.EqualTo(100002.0005).Within(1e-9));
         }
 
         [Test]
         public void MeshIsWrittenWithNormalsAndFaces()
         {
-            var mesh = new SurfaceMesh(new[] { Vector3.zero, Vector3.right, Vector3.up }, new[] { Vector3.back, Vector3.back, Vector3.back }, new[] { 0, 2, 1 });
+            var mesh = new SurfaceMesh(new[] { Vector3.zero, Vector3.right, Vector3.up },
+                new[] { Vector3.back, Vector3.back, Vector3.back }, new[] { 0, 2, 1 });
             string file = Path.Combine(folder, "sub", "mesh.ply");
 
             PlyWriter.WriteMesh(file, mesh, Matrix4x4.TRS(new Vector3(1e5f, 0f, 0f), Quaternion.Euler(0f, 90f, 0f), Vector3.one));

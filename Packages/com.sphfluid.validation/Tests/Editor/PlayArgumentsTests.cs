@@ -8,7 +8,8 @@ namespace SphFluid.Tests
         [Test]
         public void ReadsTheLiquidsFlagsBehindTheSeparator()
         {
-            PlayArguments arguments = Parse("player", "--scene", "A.unity", "--out", "there", "--", "--method", "thesis", "--surface", "particles",
+            PlayArguments arguments =
+                Parse("player", "--scene", "A.unity", "--out", "there", "--", "--method", "thesis", "--surface", "particles",
                 "--particles", "4096", "--seed", "7", "--state", "a.ply", "--mesh", "b.ply", "--record", "c.csv");
 
             Assert.That(arguments.OutputFolder, Is.EqualTo("there"));
@@ -69,8 +70,10 @@ namespace SphFluid.Tests
         [Test]
         public void AsksForAMissingValue()
         {
-            Assert.That(() => Parse("player", "--", "--seed"), Throws.TypeOf<CommandLineException>().With.Message.Contains("--seed needs a value"));
-            Assert.That(() => Parse("player", "--", "--seed", "--mesh", "a.ply"), Throws.TypeOf<CommandLineException>().With.Message.Contains("--seed needs a value"));
+            Assert.That(() => Parse("player", "--", "--seed"),
+                Throws.TypeOf<CommandLineException>().With.Message.Contains("--seed needs a value"));
+            Assert.That(() => Parse("player", "--", "--seed", "--mesh", "a.ply"),
+                Throws.TypeOf<CommandLineException>().With.Message.Contains("--seed needs a value"));
         }
 
         [Test]
@@ -85,14 +88,17 @@ namespace SphFluid.Tests
         [Test]
         public void ABudgetWithoutAutomaticIsRefused()
         {
-            Assert.That(() => Parse("player", "--", "--method", "standard", "--budget", "4"), Throws.TypeOf<CommandLineException>().With.Message.StartsWith("--budget acts with --method automatic only"));
+            Assert.That(() => Parse("player", "--", "--method", "standard", "--budget", "4"),
+                Throws.TypeOf<CommandLineException>().With.Message.StartsWith("--budget acts with --method automatic only"));
         }
 
         [TestCase("Samples~/Fountain/Fountain.unity")]
         [TestCase("Fountain")]
         public void AWordBesideFlagsIsToldHowASceneIsNamed(string word)
         {
-            Assert.That(() => Parse("player", "--", "--seed", "1", word), Throws.TypeOf<CommandLineException>().With.Message.StartsWith($"'{word}' is not understood by play's liquid: flags begin with --, and a scene is named by --scene."));
+            Assert.That(() => Parse("player", "--", "--seed", "1", word),
+                Throws.TypeOf<CommandLineException>().With.Message
+                    .StartsWith($"'{word}' is not understood by play's liquid: flags begin with --, and a scene is named by --scene."));
         }
 
         [Test]
@@ -121,7 +127,8 @@ namespace SphFluid.Tests
             {
                 Parse("player", "--", "--write-sequence", folder);
                 System.IO.File.WriteAllText(System.IO.Path.Combine(folder, "sequence.json"), "{}");
-                Assert.That(() => Parse("player", "--", "--write-sequence", folder), Throws.TypeOf<CommandLineException>().With.Message.Contains("holds a sequence"));
+                Assert.That(() => Parse("player", "--", "--write-sequence", folder),
+                    Throws.TypeOf<CommandLineException>().With.Message.Contains("holds a sequence"));
             }
             finally
             {
@@ -129,6 +136,6 @@ namespace SphFluid.Tests
             }
         }
 
-        static PlayArguments Parse(params string[] words) => PlayArguments.Parse(words);
+        private static PlayArguments Parse(params string[] words) => PlayArguments.Parse(words);
     }
 }

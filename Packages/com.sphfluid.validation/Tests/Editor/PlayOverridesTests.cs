@@ -9,7 +9,7 @@ namespace SphFluid.Tests
     /// <summary>What --surface does to the drawings of a simulation.</summary>
     public sealed class PlayOverridesTests
     {
-        FluidSimulation simulation;
+        private FluidSimulation simulation;
 
         [SetUp]
         public void SetUp() => simulation = new GameObject("Fluid").AddComponent<FluidSimulation>();
@@ -31,7 +31,8 @@ namespace SphFluid.Tests
         [Test]
         public void ALiquidThatNothingDrawsIsNamedWithACure()
         {
-            LogAssert.Expect(LogType.Warning, new Regex("'Fluid': No component draws this liquid.*--surface marching-cubes.*Fluid Surface Renderer"));
+            LogAssert.Expect(LogType.Warning,
+                new Regex("'Fluid': No component draws this liquid.*--surface marching-cubes.*Fluid Surface Renderer"));
             PlayOverrides.Apply(PlayArguments.Parse(new[] { "player", "--" }), new[] { simulation });
         }
 
@@ -46,7 +47,8 @@ namespace SphFluid.Tests
         public void ABudgetThatNoLiquidOfTheSceneReadsIsRefused()
         {
             PlayArguments arguments = PlayArguments.Parse(new[] { "player", "--", "--surface", "particles", "--budget", "4" });
-            Assert.That(() => PlayOverrides.Apply(arguments, new[] { simulation }), Throws.TypeOf<CommandLineException>().With.Message.StartsWith("--budget acts with --method automatic only, and no liquid"));
+            Assert.That(() => PlayOverrides.Apply(arguments, new[] { simulation }),
+                Throws.TypeOf<CommandLineException>().With.Message.StartsWith("--budget acts with --method automatic only, and no liquid"));
 
             simulation.Method = FluidMethodKind.Automatic;
             PlayOverrides.Apply(arguments, new[] { simulation });
@@ -76,18 +78,20 @@ namespace SphFluid.Tests
             var exception = Assert.Throws<CommandLineException>(() =>
                 PlayOverrides.Apply(PlayArguments.Parse(new[] { "player", "--", "--particles", "2000000000" }), new[] { simulation }));
             long most = SystemInfo.maxGraphicsBufferSize / FluidParticle.Stride;
-            Assert.That(exception.Message, Does.StartWith("--particles 2000000000 does not fit 'Fluid': this device's buffers hold " + most));
+            Assert.That(exception.Message,
+                Does.StartWith("--particles 2000000000 does not fit 'Fluid': this device's buffers hold " + most));
             Assert.That(exception.Message, Does.Contain("The largest count that fits is " + most));
         }
 
         [Test]
         public void ParticlesForASceneWithoutLiquidAreRefused()
         {
-            Assert.That(() => PlayOverrides.Apply(PlayArguments.Parse(new[] { "player", "--", "--particles", "100" }), new[] { simulation }),
+            Assert.That(() => PlayOverrides.Apply(PlayArguments.Parse(new[] { "player", "--", "--particles", "100" }),
+                new[] { simulation }),
                 Throws.TypeOf<CommandLineException>().With.Message.Contains("There is no liquid"));
         }
 
-        void Apply(string surface) =>
+        private void Apply(string surface) =>
             PlayOverrides.Apply(PlayArguments.Parse(new[] { "player", "--", "--surface", surface }), new[] { simulation });
     }
 }

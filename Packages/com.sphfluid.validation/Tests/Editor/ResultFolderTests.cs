@@ -7,11 +7,11 @@ namespace SphFluid.Tests
     /// <summary>What measurements may replace in the folder of --out.</summary>
     public sealed class ResultFolderTests : FolderTests
     {
-        static readonly ResultFile table = ResultFile.Table("speed.csv", new[] { "case", "speed_m_s" });
-        static readonly ResultFile script = ResultFile.Text("speed.gp", "# Draws speed.png");
-        static readonly ResultFile drawn = ResultFile.Drawn("speed.png", "speed.gp");
-        static readonly ResultFile curve = ResultFile.Table("curves/a.csv", new[] { "x", "y" });
-        static readonly ResultFile picture = ResultFile.Picture("still.png");
+        private static readonly ResultFile table = ResultFile.Table("speed.csv", new[] { "case", "speed_m_s" });
+        private static readonly ResultFile script = ResultFile.Text("speed.gp", "# Draws speed.png");
+        private static readonly ResultFile drawn = ResultFile.Drawn("speed.png", "speed.gp");
+        private static readonly ResultFile curve = ResultFile.Table("curves/a.csv", new[] { "x", "y" });
+        private static readonly ResultFile picture = ResultFile.Picture("still.png");
 
         [Test]
         public void ANewFolderIsMade()
@@ -31,7 +31,8 @@ namespace SphFluid.Tests
         public void AFileOfTheUsersIsNamedAndStays(string name, string text)
         {
             Write(name, text);
-            Assert.That(Refused(), Does.Contain(folder.Substring(0, 10)).And.Contain(name.Replace(".tmp", "")).And.Contain("Name another folder"));
+            Assert.That(Refused(),
+                Does.Contain(folder.Substring(0, 10)).And.Contain(name.Replace(".tmp", "")).And.Contain("Name another folder"));
             Assert.That(File.ReadAllText(Path.Combine(folder, name)), Is.EqualTo(text));
             Assert.That(File.Exists(Path.Combine(folder, ResultFolder.ListName)), Is.False);
         }
@@ -154,11 +155,11 @@ namespace SphFluid.Tests
             Assert.That(message, Does.Not.Contain("\n"));
         }
 
-        ResultFolder Open() => ResultFolder.Open(folder, new[] { table, script, drawn, curve, picture });
+        private ResultFolder Open() => ResultFolder.Open(folder, new[] { table, script, drawn, curve, picture });
 
-        string Refused() => Assert.Throws<CommandLineException>(() => Open()).Message;
+        private string Refused() => Assert.Throws<CommandLineException>(() => Open()).Message;
 
-        void Write(string name, string text)
+        private void Write(string name, string text)
         {
             string path = Path.Combine(folder, name);
             Directory.CreateDirectory(Path.GetDirectoryName(path));

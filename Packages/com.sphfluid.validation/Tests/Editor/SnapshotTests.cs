@@ -24,7 +24,8 @@ namespace SphFluid.Tests
             {
                 while (solver.ReadCountersNow().Removed < 50) GpuTest.Run(cmd => solver.RecordSteps(cmd, 10));
                 FluidSnapshot snapshot = FluidSnapshot.Read(solver);
-                uint[] liquid = GpuTest.Read<FluidParticle>(solver.Particles, start.Length).Where(p => !p.IsRemoved).Select(p => p.Id).ToArray();
+                uint[] liquid = GpuTest.Read<FluidParticle>(solver.Particles, start.Length).Where(p => !p.IsRemoved)
+                    .Select(p => p.Id).ToArray();
                 Assert.That(liquid.Length, Is.GreaterThan(0).And.LessThan(start.Length));
                 Assert.That(snapshot.Ids, Is.EquivalentTo(liquid));
                 Assert.That(snapshot.Densities, Is.All.GreaterThan(0f));

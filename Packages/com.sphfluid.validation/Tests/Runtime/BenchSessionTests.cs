@@ -15,15 +15,17 @@ namespace SphFluid.Tests
     /// <summary>A whole benchmark of the smallest size: its files, not its times.</summary>
     public sealed class BenchSessionTests
     {
-        readonly List<string> said = new List<string>();
-        string folder;
+        private readonly List<string> said = new List<string>();
+        private string folder;
 
         [SetUp]
         public void SetUp()
         {
             GpuTest.Require();
             if (!SystemInfo.supportsGpuRecorder)
+            {
                 Assert.Ignore($"{SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType}) has no GPU times.");
+            }
             said.Clear();
             folder = TestFolder.Fresh();
         }
@@ -36,8 +38,7 @@ namespace SphFluid.Tests
         {
             using (BenchSession session = Create("--particles", "128", "--grids", "8"))
             {
-                while (session.Step())
-                    yield return null;
+                while (session.Step()) yield return null;
             }
             string[] lines = File.ReadAllLines(Path.Combine(folder, "thesis.csv"));
             string[] head = lines[0].Split(',');
@@ -62,8 +63,7 @@ namespace SphFluid.Tests
         {
             using (BenchSession session = Create("--table", "solver", "--particles", "128,250"))
             {
-                while (session.Step())
-                    yield return null;
+                while (session.Step()) yield return null;
             }
             string[][] lines = File.ReadAllLines(Path.Combine(folder, "solver.csv")).Select(CsvText.Split).ToArray();
             string Cell(string[] line, string name) => line[Array.IndexOf(lines[0], name)];
@@ -73,8 +73,10 @@ namespace SphFluid.Tests
             {
                 string text = string.Join(",", line);
                 Assert.That(Cell(line, "samples"), Is.EqualTo("5"), text);
-                // 10 sorts, or one where its levels are fused, and the 8 other blocks of the thesis; the Standard method's never depend on the size.
-                var dispatches = new Dictionary<string, double> { { "thesis_27_fused", 9 }, { "standard", 5 }, { "standard_search", 5 }, { "standard_2.25", 5 }, { "standard_unordered", 4 }, { "standard_mesh", 8 }, { "robust", 12 }, { "robust_2.25", 12 } };
+                // 10 sorts, or one where its levels are fused, and the 8 other blocks of the thesis; the Standard method's never depend on
+                // the size.
+                var dispatches = new Dictionary<string, double> { { "thesis_27_fused", 9 }, { "standard", 5 }, { "standard_search", 5 },
+                    { "standard_2.25", 5 }, { "standard_unordered", 4 }, { "standard_mesh", 8 }, { "robust", 12 }, { "robust_2.25", 12 } };
                 string config = Cell(line, "config");
                 double alone = dispatches.TryGetValue(config.Replace("_at_once", ""), out double own) ? own : 18;
                 if (config.EndsWith("_at_once")) Assert.That(Number(line, "dispatches"), Is.InRange(2.0, alone), text);
@@ -84,7 +86,8 @@ namespace SphFluid.Tests
                 Assert.That(Number(line, "roofline_fraction"), Is.InRange(0.0, 1.0), text);
                 Assert.That(Cell(line, "growth_exponent") == "", Is.EqualTo(Cell(line, "particles") == "128"), text);
             }
-            IEnumerable<string> compared = lines.Skip(1).Where(l => Cell(l, "kappa") == "2" && Cell(l, "particles") == "250").Select(l => Cell(l, "neighbours_mean"));
+            IEnumerable<string> compared = lines.Skip(1).Where(l => Cell(l, "kappa") == "2" && Cell(l, "particles") == "250")
+                .Select(l => Cell(l, "neighbours_mean"));
             Assert.That(compared.Distinct().Count(), Is.EqualTo(1), "the same k for all");
         }
 
@@ -93,8 +96,7 @@ namespace SphFluid.Tests
         {
             using (BenchSession session = Create("--table", "surface", "--particles", "250", "--grids", "8,16"))
             {
-                while (session.Step())
-                    yield return null;
+                while (session.Step()) yield return null;
             }
             string[][] lines = File.ReadAllLines(Path.Combine(folder, "surface.csv")).Select(CsvText.Split).ToArray();
             string Cell(string[] line, string name) => line[Array.IndexOf(lines[0], name)];
@@ -114,8 +116,11 @@ namespace SphFluid.Tests
                 Assert.That(Cell(line, "over_half_grid") != "", Is.EqualTo(halved), text);
                 Assert.That(Cell(line, "speedup_gs") != "", Is.EqualTo(hasGeometry && Cell(line, "field") == "thesis"), text);
             }
-            foreach (IGrouping<string, string[]> rows in lines.Skip(1).Where(l => Cell(l, "field") == "thesis").GroupBy(l => Cell(l, "grid")))
+            foreach (IGrouping<string, string[]> rows in lines.Skip(1).Where(l => Cell(l, "field") == "thesis")
+                .GroupBy(l => Cell(l, "grid")))
+            {
                 Assert.That(rows.Select(l => Cell(l, "triangles")).Distinct().Count(), Is.EqualTo(1), "one field, one mesh");
+            }
         }
 
         [UnityTest]
@@ -144,11 +149,13 @@ namespace SphFluid.Tests
             Assert.That(File.ReadAllLines(table), Has.Length.EqualTo(1), "what the same measurement wrote is replaced");
         }
 
-        BenchSession Create(params string[] flags)
+        private BenchSession Create(params string[] flags)
         {
             var words = new List<string> { "player", "--", "--no-sweep", "--out", folder };
             words.AddRange(flags);
-            return new BenchSession(BenchArguments.Parse(words), TestAssets.Water.Shaders, new SessionProgress(said.Add, null)) { SampleMilliseconds = 2.0, PictureSize = new Vector2Int(64, 36) };
+            return new BenchSession(BenchArguments.Parse(words), TestAssets.Water.Shaders,
+                new SessionProgress(said.Add, null))
+            { SampleMilliseconds = 2.0, PictureSize = new Vector2Int(64, 36) };
         }
     }
 }

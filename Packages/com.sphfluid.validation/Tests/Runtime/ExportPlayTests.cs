@@ -12,9 +12,9 @@ namespace SphFluid.Tests
     /// <summary>What ./run export makes of a scene with several liquids: all that can be exported, and an exit code.</summary>
     public sealed class ExportPlayTests
     {
-        readonly List<(string Message, int Code)> ends = new List<(string Message, int Code)>();
-        SimulationRig rig;
-        string folder;
+        private readonly List<(string Message, int Code)> ends = new List<(string Message, int Code)>();
+        private SimulationRig rig;
+        private string folder;
 
         [SetUp]
         public void SetUp()
@@ -31,15 +31,18 @@ namespace SphFluid.Tests
             TestFolder.Delete(folder);
         }
 
-        void AddLiquid(string name, bool liquid, float x) => rig.Create(name, liquid, new Vector3(x, 0f, 0f)).StopSimulation();
+        private void AddLiquid(string name, bool liquid, float x) => rig.Create(name, liquid, new Vector3(x, 0f, 0f)).StopSimulation();
 
-        void Export(params string[] flags) =>
-            ExportPlay.WriteOpenScene(ExportArguments.Parse(new[] { "player", "--" }.Concat(flags).Concat(new[] { "--seconds", "0.1", "--out", folder }).ToArray()),
+        private void Export(params string[] flags) =>
+            ExportPlay.WriteOpenScene(
+                ExportArguments.Parse(new[] { "player", "--" }.Concat(flags).Concat(new[] { "--seconds", "0.1", "--out", folder })
+                    .ToArray()),
                 (message, code) => ends.Add((message, code)));
 
         // The folders of cases that were written.
-        string[] Written => Directory.Exists(folder)
-            ? Directory.GetFiles(folder, "manifest.json", SearchOption.AllDirectories).Select(f => Path.GetFileName(Path.GetDirectoryName(f))).OrderBy(n => n).ToArray()
+        private string[] Written => Directory.Exists(folder)
+            ? Directory.GetFiles(folder, "manifest.json", SearchOption.AllDirectories)
+                .Select(f => Path.GetFileName(Path.GetDirectoryName(f))).OrderBy(n => n).ToArray()
             : new string[0];
 
         [Test]

@@ -11,8 +11,8 @@ namespace SphFluid.Tests
     /// <summary>The columns that the instruments of a scene have in a record.</summary>
     public sealed class InstrumentRecordTests
     {
-        SimulationRig rig;
-        string file;
+        private SimulationRig rig;
+        private string file;
 
         [SetUp]
         public void SetUp()
@@ -28,7 +28,7 @@ namespace SphFluid.Tests
             File.Delete(file);
         }
 
-        T Add<T>(string name, Vector3 place) where T : FluidInstrument
+        private T Add<T>(string name, Vector3 place) where T : FluidInstrument
         {
             GameObject holder = rig.NewObject(name);
             holder.transform.position = place;
@@ -62,13 +62,15 @@ namespace SphFluid.Tests
             string[][] table = File.ReadAllLines(file).Select(l => l.Split(',')).ToArray();
             Assert.That(table[0].Skip(2), Is.EqualTo(new[]
             {
-                "Level.height_m", "Level 2.height_m", "Fall_ early.speed_m_s", "Fall_ early.velocity_x_m_s", "Fall_ early.velocity_y_m_s", "Fall_ early.velocity_z_m_s",
+                "Level.height_m", "Level 2.height_m", "Fall_ early.speed_m_s", "Fall_ early.velocity_x_m_s", "Fall_ early.velocity_y_m_s",
+                "Fall_ early.velocity_z_m_s",
                 "Elsewhere.flow_m3_s", "Elsewhere.volume_m3",
             }));
             Assert.That(table.Select(row => row.Length), Is.All.EqualTo(10));
             Assert.That(table[12].Take(8).Skip(2), Is.All.Empty, "the row of the other liquid");
             Assert.That(table[12].Skip(8), Is.All.Not.Empty);
-            Assert.That(double.Parse(table[11][4], System.Globalization.CultureInfo.InvariantCulture), Is.EqualTo(expected).Within(4).Percent,
+            Assert.That(double.Parse(table[11][4], System.Globalization.CultureInfo.InvariantCulture),
+                Is.EqualTo(expected).Within(4).Percent,
                 "of the row's own time, half a step old; a frame before it was a sixth less");
         }
     }

@@ -12,8 +12,8 @@ namespace SphFluid.Tests
     /// <summary>What a play leaves behind: the surface as a file, and what summary.json says of it.</summary>
     public sealed class PlayResultsTests
     {
-        SimulationRig rig;
-        string folder;
+        private SimulationRig rig;
+        private string folder;
 
         [SetUp]
         public void SetUp()
@@ -30,18 +30,21 @@ namespace SphFluid.Tests
         }
 
         [UnityTest]
-        public IEnumerator TheMeshIsIndexedAndClosedWhateverIsDrawn([Values("marching-cubes", "marching-cubes-gs", "particles", "none")] string surface)
+        public IEnumerator TheMeshIsIndexedAndClosedWhateverIsDrawn(
+            [Values("marching-cubes", "marching-cubes-gs", "particles", "none")] string surface)
         {
             if (surface == "marching-cubes-gs" && MeasuredGeometrySurface.MissingSupport() != null)
+            {
                 Assert.Ignore(MeasuredGeometrySurface.MissingSupport());
+            }
             string file = Path.Combine(folder, "mesh.ply");
             FluidSimulation simulation = rig.Create();
             PlayArguments arguments = PlayArguments.Parse(new[] { "player", "--out", folder, "--", "--surface", surface, "--mesh", file });
             PlayOverrides.Apply(arguments, new[] { simulation });
-            for (int frame = 0; frame < 4; frame++)
-                yield return null;
+            for (int frame = 0; frame < 4; frame++) yield return null;
 
-            new PlayResults(arguments, new[] { simulation }, new Dictionary<FluidSimulation, SurfaceCaps>(), new Dictionary<FluidSimulation, ColliderSides>())
+            new PlayResults(arguments, new[] { simulation }, new Dictionary<FluidSimulation, SurfaceCaps>(),
+                new Dictionary<FluidSimulation, ColliderSides>())
                 .Write(new FrameTable("steps"), new FrameTable("steps"), new InstrumentRecord());
 
             SurfaceMesh mesh = PlyMesh.Read(file);

@@ -6,7 +6,7 @@ using UnityEngine;
 namespace SphFluid.Tests
 {
     /// <summary>Reads what PlyWriter.WriteMesh wrote.</summary>
-    static class PlyMesh
+    internal static class PlyMesh
     {
         public static SurfaceMesh Read(string file)
         {
@@ -26,15 +26,14 @@ namespace SphFluid.Tests
                 }
                 for (int i = 0; i < indices.Length; i++)
                 {
-                    if (i % 3 == 0 && reader.ReadByte() != 3)
-                        throw new InvalidDataException($"'{file}' has a face that is no triangle.");
+                    if (i % 3 == 0 && reader.ReadByte() != 3) throw new InvalidDataException($"'{file}' has a face that is no triangle.");
                     indices[i] = reader.ReadInt32();
                 }
             }
             return new SurfaceMesh(positions, normals, indices);
         }
 
-        static int Count(string header, string element)
+        private static int Count(string header, string element)
         {
             string line = $"element {element} ";
             int from = header.IndexOf(line, StringComparison.Ordinal) + line.Length;

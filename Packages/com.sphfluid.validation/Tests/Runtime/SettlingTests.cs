@@ -9,10 +9,10 @@ namespace SphFluid.Tests
     /// <summary>A small dam break over closed colliders: what must hold once the liquid has come to rest.</summary>
     public sealed class SettlingTests
     {
-        const float FrameTime = 1f / 30f;
-        const float Seconds = 1.8f; // at 1.4 s it still splashes
+        private const float FrameTime = 1f / 30f;
+        private const float Seconds = 1.8f; // at 1.4 s it still splashes
 
-        SimulationRig rig;
+        private SimulationRig rig;
 
         [SetUp]
         public void SetUp() => rig = new SimulationRig(FrameTime);
@@ -32,8 +32,7 @@ namespace SphFluid.Tests
             AddCollider<SphereCollider>(new Vector3(0.12f, -0.3f, -0.03f), Quaternion.identity, 0.2f);
             AddCollider<BoxCollider>(new Vector3(0.3f, -0.33f, 0.04f), Quaternion.Euler(0f, 30f, 0f), 0.14f);
 
-            for (int frame = 0; frame <= Mathf.RoundToInt(Seconds / FrameTime); frame++)
-                yield return null;
+            for (int frame = 0; frame <= Mathf.RoundToInt(Seconds / FrameTime); frame++) yield return null;
 
             Assert.That(simulation.SimulatedTime, Is.EqualTo(Seconds).Within(2f * FrameTime));
             FluidSnapshot snapshot = FluidSnapshot.Read(simulation);
@@ -49,7 +48,7 @@ namespace SphFluid.Tests
             Assert.That(simulation.CapHits, Is.Zero, "substep cap");
         }
 
-        void AddCollider<T>(Vector3 position, Quaternion rotation, float scale) where T : Collider
+        private void AddCollider<T>(Vector3 position, Quaternion rotation, float scale) where T : Collider
         {
             GameObject holder = rig.NewObject(typeof(T).Name);
             holder.transform.SetPositionAndRotation(position, rotation);

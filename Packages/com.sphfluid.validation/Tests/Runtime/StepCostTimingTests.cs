@@ -15,13 +15,17 @@ namespace SphFluid.Tests
         {
             GpuTest.Require();
             if (!SystemInfo.supportsGpuRecorder)
+            {
                 Assert.Ignore($"{SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType}) has no GPU times.");
+            }
             foreach (CaseMethod method in CaseMethod.All.Where(m => m.Kind != FluidMethodKind.ThesisPrinted))
             {
                 StepCostRow row = null;
-                var work = new SessionWork(new StepCostRun(SessionAssets.PackageShaders) { LeastSeconds = 0.01 }.Run(new StepCostPoint(method, method.SupportRatio, 300), r => row = r));
-                while (work.Step())
-                    yield return null;
+                var work =
+                    new SessionWork(
+                        new StepCostRun(SessionAssets.PackageShaders) { LeastSeconds = 0.01 }
+                            .Run(new StepCostPoint(method, method.SupportRatio, 300), r => row = r));
+                while (work.Step()) yield return null;
                 Assert.That(row.Steps, Is.GreaterThanOrEqualTo(12), method.Name);
                 Assert.That(row.Milliseconds, Is.GreaterThan(0.0), method.Name);
                 Assert.That(row.Low, Is.LessThanOrEqualTo(row.Milliseconds), method.Name);

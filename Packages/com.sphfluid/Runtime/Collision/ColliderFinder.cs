@@ -25,7 +25,9 @@ namespace SphFluid
         /// <summary>Layers whose colliders count.</summary>
         public LayerMask Layers;
 
-        /// <summary>Particle spacing dx [m]: triangles as near as that to the domain are kept, curved colliders follow their shape to 0.1 dx.</summary>
+        /// <summary>
+        /// Particle spacing dx [m]: triangles as near as that to the domain are kept, curved colliders follow their shape to 0.1 dx.
+        /// </summary>
         public float Spacing;
 
         /// <summary>Whether each collider has a friction of its own.</summary>
@@ -53,13 +55,13 @@ namespace SphFluid
     /// <summary>Finds the colliders in a domain and reports whether anything changed since the last look.</summary>
     internal sealed class ColliderFinder
     {
-        readonly ColliderStates kinds;
-        readonly SkinnedWalls skins;
-        Collider[] hits = new Collider[32];
-        Collider[] lastHits = Array.Empty<Collider>();
-        readonly List<Collider> ordered = new List<Collider>();
-        List<ColliderState> states = new List<ColliderState>();
-        List<ColliderState> previous = new List<ColliderState>();
+        private readonly ColliderStates kinds;
+        private readonly SkinnedWalls skins;
+        private Collider[] hits = new Collider[32];
+        private Collider[] lastHits = Array.Empty<Collider>();
+        private readonly List<Collider> ordered = new List<Collider>();
+        private List<ColliderState> states = new List<ColliderState>();
+        private List<ColliderState> previous = new List<ColliderState>();
 
         /// <param name="kinds">Makes the states of colliders.</param>
         /// <param name="skins">What is read of skins.</param>
@@ -114,7 +116,7 @@ namespace SphFluid
         }
 
         // The results array is not resized by Unity: a full one may have missed colliders.
-        int Overlap(in CollisionQuery query)
+        private int Overlap(in CollisionQuery query)
         {
             while (true)
             {
@@ -125,7 +127,7 @@ namespace SphFluid
             }
         }
 
-        bool SameHits(int count)
+        private bool SameHits(int count)
         {
             if (count != lastHits.Length) return false;
             for (int i = 0; i < count; i++)
@@ -134,7 +136,7 @@ namespace SphFluid
         }
 
         // Unity gives no order; the sum of forces from several triangles depends on it in the last bits.
-        void Order(int count)
+        private void Order(int count)
         {
             lastHits = new Collider[count];
             Array.Copy(hits, lastHits, count);
@@ -144,7 +146,7 @@ namespace SphFluid
             Array.Clear(hits, 0, hits.Length);
         }
 
-        bool SameStates()
+        private bool SameStates()
         {
             if (states.Count != previous.Count) return false;
             for (int i = 0; i < states.Count; i++)

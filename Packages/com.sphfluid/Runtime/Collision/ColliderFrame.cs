@@ -10,7 +10,7 @@ namespace SphFluid
     internal static class ColliderFrame
     {
         // Of a capsule's length over its radius: what rounding may change.
-        const double AspectTolerance = 1e-5;
+        private const double AspectTolerance = 1e-5;
 
         /// <summary>Whether two states of a collider have the same own shape.</summary>
         public static bool HasSameShape(in ColliderState a, in ColliderState b)
@@ -23,10 +23,11 @@ namespace SphFluid
         }
 
         /// <summary>
-        /// Whether the same triangles with other corners are the same wall deformed: of a mesh; of a Character Controller, which stands upright. A terrain's
-        /// patch goes with the domain, and a capsule's corners turn about its axis as it turns.
+        /// Whether the same triangles with other corners are the same wall deformed: of a mesh; of a Character Controller, which stands
+        /// upright. A terrain's patch goes with the domain, and a capsule's corners turn about its axis as it turns.
         /// </summary>
-        public static bool MayDeform(in ColliderState state) => state.Collider is MeshCollider || state.Collider is CharacterController || state.Collider == null;
+        public static bool MayDeform(in ColliderState state) => state.Collider is MeshCollider || state.Collider is CharacterController ||
+            state.Collider == null;
 
         /// <summary>The own shape's space to simulation space.</summary>
         public static AffineMap GetMap(in ColliderState state)
@@ -36,7 +37,8 @@ namespace SphFluid
             {
                 case BoxCollider _:
                     Vector3 size = state.Size;
-                    return toSimulation * new AffineMap(size.x, 0, 0, 0, size.y, 0, 0, 0, size.z, state.Center.x, state.Center.y, state.Center.z);
+                    return toSimulation * new AffineMap(size.x, 0, 0, 0, size.y, 0, 0, 0, size.z, state.Center.x, state.Center.y,
+                        state.Center.z);
                 case SphereCollider _:
                 case CapsuleCollider _:
                 case CharacterController _:
@@ -51,7 +53,7 @@ namespace SphFluid
 
         // The rotation of a round shape: that of the transform, brought to where the shape's own axis lies. Point reflection leaves
         // the shape as it is, so that a mirrored transform has a rotation too.
-        static AffineMap Turned(in AffineMap toSimulation, int axis)
+        private static AffineMap Turned(in AffineMap toSimulation, int axis)
         {
             AffineMap sign = toSimulation.Determinant < 0.0 ? toSimulation.Scaled(-1.0) : toSimulation;
             if (!PolarDecomposition.TryFind(sign, out PolarDecomposition parts)) return AffineMap.Identity;
@@ -59,7 +61,7 @@ namespace SphFluid
             return AffineMap.FromMatrix(Matrix4x4.Rotate(Quaternion.FromToRotation(from, goal))) * parts.Rotation;
         }
 
-        static Vector3 Column(in AffineMap m, int axis) =>
+        private static Vector3 Column(in AffineMap m, int axis) =>
             axis == 0 ? new Vector3((float)m.M00, (float)m.M10, (float)m.M20) :
             axis == 1 ? new Vector3((float)m.M01, (float)m.M11, (float)m.M21) :
             new Vector3((float)m.M02, (float)m.M12, (float)m.M22);
@@ -68,7 +70,7 @@ namespace SphFluid
     /// <summary>Radius and length that Unity gives a sphere or capsule under a transform.</summary>
     internal readonly struct RoundShape
     {
-        RoundShape(int axis, float radius, float halfLength)
+        private RoundShape(int axis, float radius, float halfLength)
         {
             Axis = axis;
             Radius = radius;
@@ -99,6 +101,6 @@ namespace SphFluid
             return new RoundShape(axis, radius, Mathf.Max(0f, 0.5f * Mathf.Abs(height) * along - radius));
         }
 
-        static float Length(in Matrix4x4 m, int column) => ((Vector3)m.GetColumn(column)).magnitude;
+        private static float Length(in Matrix4x4 m, int column) => ((Vector3)m.GetColumn(column)).magnitude;
     }
 }

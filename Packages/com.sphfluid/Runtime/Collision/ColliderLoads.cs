@@ -5,17 +5,17 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>
-    /// How hard the scene's colliders drive a liquid, from where they were in the last frames. One of the length L that is accelerated by a may press
-    /// liquid as a column of that length stands under a: √(2 a L) is the speed that the liquid's constants have to be made for.
+    /// How hard the scene's colliders drive a liquid, from where they were in the last frames. One of the length L that is accelerated by a
+    /// may press liquid as a column of that length stands under a: √(2 a L) is the speed that the liquid's constants have to be made for.
     /// </summary>
     internal sealed class ColliderLoads
     {
         // s: what physics moves in steps of its own among frames, and a knock, is no acceleration that lasts.
-        const double Smoothing = 0.05;
+        private const double Smoothing = 0.05;
 
-        Dictionary<object, Track> tracks = new Dictionary<object, Track>(), before = new Dictionary<object, Track>();
+        private Dictionary<object, Track> tracks = new Dictionary<object, Track>(), before = new Dictionary<object, Track>();
 
-        bool atStart = true;
+        private bool atStart = true;
 
         /// <summary>Fastest speed of a collider [m/s].</summary>
         public double Speed { get; private set; }
@@ -61,12 +61,12 @@ namespace SphFluid
             atStart = false;
         }
 
-        struct Track
+        private struct Track
         {
             public Vector3 Acceleration;
             public double Speed;
-            Vector3 place, velocity;
-            int frames; // 0: not seen yet, 1: it has no velocity yet
+            private Vector3 place, velocity;
+            private int frames; // 0: not seen yet, 1: it has no velocity yet
 
             // Farther than its length in a frame it was put elsewhere.
             public Track After(Vector3 now, float length, double time, bool fromRest)

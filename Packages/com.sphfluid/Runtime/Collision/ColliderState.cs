@@ -6,10 +6,10 @@ namespace SphFluid
     /// <summary>All that decides a collider's triangles in simulation space, so that equal states need no new triangles.</summary>
     internal readonly struct ColliderState : IEquatable<ColliderState>
     {
-        readonly MeshStamp stamp;
-        readonly int edition; // of the mesh
+        private readonly MeshStamp stamp;
+        private readonly int edition; // of the mesh
 
-        ColliderState(Collider collider, Matrix4x4 toSimulation, float friction, Mesh mesh, Vector3 center, Vector3 size)
+        private ColliderState(Collider collider, Matrix4x4 toSimulation, float friction, Mesh mesh, Vector3 center, Vector3 size)
         {
             Body = null;
             Key = Collider = collider;
@@ -92,7 +92,7 @@ namespace SphFluid
         }
 
         // Unity turns no Character Controller: its capsule stands along the world's y axis.
-        static Matrix4x4 Upright(CharacterController character)
+        private static Matrix4x4 Upright(CharacterController character)
         {
             Transform transform = character.transform;
             return Matrix4x4.TRS(transform.TransformPoint(character.center), Quaternion.identity, transform.lossyScale);
@@ -101,7 +101,7 @@ namespace SphFluid
         /// <summary>The same collider, moved by the liquid.</summary>
         public ColliderState With(FloatingBody body) => new ColliderState(this, body);
 
-        ColliderState(in ColliderState other, FloatingBody body)
+        private ColliderState(in ColliderState other, FloatingBody body)
         {
             this = other;
             Body = body;
@@ -110,7 +110,7 @@ namespace SphFluid
         /// <summary>The same collider, whose mesh was found changed so many times.</summary>
         public ColliderState With(int edition) => new ColliderState(this, edition);
 
-        ColliderState(in ColliderState other, int edition)
+        private ColliderState(in ColliderState other, int edition)
         {
             this = other;
             this.edition = edition;
@@ -119,14 +119,17 @@ namespace SphFluid
         /// <summary>The same collider, elsewhere.</summary>
         public ColliderState At(in Matrix4x4 toSimulation) => new ColliderState(this, toSimulation);
 
-        ColliderState(in ColliderState other, in Matrix4x4 toSimulation)
+        private ColliderState(in ColliderState other, in Matrix4x4 toSimulation)
         {
             this = other;
             ToSimulation = toSimulation;
         }
 
-        /// <summary>Whether the states have the same mesh, with the same vertices as far as that is cheap to find out, or both none.</summary>
-        public bool HasMeshOf(in ColliderState other) => ReferenceEquals(Mesh, other.Mesh) && ReferenceEquals(Triangles, other.Triangles) && stamp.Equals(other.stamp) && edition == other.edition;
+        /// <summary>
+        /// Whether the states have the same mesh, with the same vertices as far as that is cheap to find out, or both none.
+        /// </summary>
+        public bool HasMeshOf(in ColliderState other) => ReferenceEquals(Mesh, other.Mesh) && ReferenceEquals(Triangles, other.Triangles) &&
+            stamp.Equals(other.stamp) && edition == other.edition;
 
         /// <summary>Whether the states differ by the transform only.</summary>
         public bool HasShapeOf(in ColliderState other) => HasMeshOf(other) && Center.Equals(other.Center) && Size.Equals(other.Size);
@@ -135,7 +138,8 @@ namespace SphFluid
         public bool HasTrianglesOf(in ColliderState other) =>
             ReferenceEquals(Key, other.Key) && ToSimulation.Equals(other.ToSimulation) && HasShapeOf(other);
 
-        public bool Equals(ColliderState other) => HasTrianglesOf(other) && Friction.Equals(other.Friction) && ReferenceEquals(Body, other.Body);
+        public bool Equals(ColliderState other) => HasTrianglesOf(other) && Friction.Equals(other.Friction) &&
+            ReferenceEquals(Body, other.Body);
 
         public override bool Equals(object obj) => obj is ColliderState other && Equals(other);
 

@@ -7,12 +7,14 @@ namespace SphFluid
     /// <summary>Turns colliders into triangles in simulation space, or says why that cannot be done.</summary>
     internal sealed class ColliderTriangles
     {
-        /// <summary>Largest distance of a sphere's or capsule's triangles from its true surface, as a fraction of the particle spacing.</summary>
+        /// <summary>
+        /// Largest distance of a sphere's or capsule's triangles from its true surface, as a fraction of the particle spacing.
+        /// </summary>
         public const float ChordError = 0.1f;
 
-        const string MeshKind = "Mesh Collider";
+        private const string MeshKind = "Mesh Collider";
 
-        readonly MeshReader reader;
+        private readonly MeshReader reader;
 
         /// <param name="reader">Reads meshes.</param>
         public ColliderTriangles(MeshReader reader)
@@ -59,12 +61,13 @@ namespace SphFluid
                 default:
                     messages.Add(Warn(state, FluidIssue.ColliderUnsupported,
                         $"The fluid does not collide with a {Kind(state)}.",
-                        "Use a Mesh, Box, Sphere, Capsule, Terrain or Wheel Collider or a Character Controller, or take its layer out of the simulation's Collider Layers."));
+                        "Use a Mesh, Box, Sphere, Capsule, Terrain or Wheel Collider or a Character Controller, or take its layer out of " +
+                        "the simulation's Collider Layers."));
                     return null;
             }
         }
 
-        TriangleMesh FromMesh(in ColliderState state, List<FluidMessage> messages)
+        private TriangleMesh FromMesh(in ColliderState state, List<FluidMessage> messages)
         {
             FluidMessage? problem = Problem(state.Collider as MeshCollider);
             if (problem.HasValue)
@@ -83,35 +86,40 @@ namespace SphFluid
         {
             Mesh mesh = collider.sharedMesh;
             if (mesh == null)
+            {
                 return new FluidMessage(FluidSeverity.Warning, FluidIssue.MeshEmpty, collider,
                     "The Mesh Collider has no mesh, so the fluid cannot collide with it.",
                     "Assign a mesh to the Mesh Collider or remove it.");
+            }
             if (!mesh.isReadable)
+            {
                 return new FluidMessage(FluidSeverity.Warning, FluidIssue.MeshNotReadable, collider,
                     $"The mesh '{mesh.name}' of the Mesh Collider is not readable, so the fluid cannot collide with it.",
                     "Tick Read/Write in the mesh's import settings.");
+            }
             return mesh.vertexCount == 0 ? Empty(collider, MeshKind, mesh) : (FluidMessage?)null;
         }
 
-        static FluidMessage Empty(Component part, string kind, Mesh mesh) => new FluidMessage(
+        private static FluidMessage Empty(Component part, string kind, Mesh mesh) => new FluidMessage(
             FluidSeverity.Warning, FluidIssue.MeshEmpty, part,
             $"The mesh '{mesh.name}' of the {kind} has no triangles, so the fluid cannot collide with it.",
             $"Assign a mesh with triangles to the {kind} or remove it.");
 
-        static FluidMessage TerrainProblem(in ColliderState state) => TerrainPatches.HasData(state.Collider)
+        private static FluidMessage TerrainProblem(in ColliderState state) => TerrainPatches.HasData(state.Collider)
             ? Warn(state, FluidIssue.TooManyTriangles,
                 $"More than {TerrainPatches.MaxCells} cells of the terrain lie over the domain, so the fluid passes through it.",
                 "Use a smaller domain, or a lower Heightmap Resolution for the terrain.")
-            : Warn(state, FluidIssue.MeshEmpty, "The Terrain Collider has no terrain data, or data without a size, so the fluid cannot collide with it.",
+            : Warn(state, FluidIssue.MeshEmpty,
+                "The Terrain Collider has no terrain data, or data without a size, so the fluid cannot collide with it.",
                 "Assign terrain data with a size greater than zero to the Terrain Collider or remove it.");
 
-        static TriangleMesh FromBox(in ColliderState state, List<FluidMessage> messages)
+        private static TriangleMesh FromBox(in ColliderState state, List<FluidMessage> messages)
         {
             Matrix4x4 box = state.ToSimulation * Matrix4x4.TRS(state.Center, Quaternion.identity, state.Size);
             return AffineMath.IsSingular(box) ? Shapeless(state, messages) : PrimitiveTessellator.Box(box);
         }
 
-        static TriangleMesh FromRound(in ColliderState state, float spacing, List<FluidMessage> messages)
+        private static TriangleMesh FromRound(in ColliderState state, float spacing, List<FluidMessage> messages)
         {
             RoundShape round = RoundShape.FromCollider(state);
             if (!(round.Radius > 0f) || !AffineMath.IsFinite(round.Radius)) return Shapeless(state, messages);
@@ -120,7 +128,7 @@ namespace SphFluid
             return PrimitiveTessellator.Capsule(pose, round.Radius, round.HalfLength, ChordError * spacing);
         }
 
-        static TriangleMesh Shapeless(in ColliderState state, List<FluidMessage> messages)
+        private static TriangleMesh Shapeless(in ColliderState state, List<FluidMessage> messages)
         {
             messages.Add(Warn(state, FluidIssue.ColliderTransformSingular,
                 $"The {Kind(state)} has a zero or non-finite size, so the fluid cannot collide with it.",
@@ -128,11 +136,12 @@ namespace SphFluid
             return null;
         }
 
-        static Vector3 AxisOf(in Matrix4x4 m, int column) => m.GetColumn(column);
+        private static Vector3 AxisOf(in Matrix4x4 m, int column) => m.GetColumn(column);
 
-        static string Kind(in ColliderState state) => state.Key is Component component && component != null ? component.GetType().Name : "mesh";
+        private static string Kind(in ColliderState state) => state.Key is Component component &&
+            component != null ? component.GetType().Name : "mesh";
 
-        static FluidMessage Warn(in ColliderState state, FluidIssue issue, string text, string cure) =>
+        private static FluidMessage Warn(in ColliderState state, FluidIssue issue, string text, string cure) =>
             new FluidMessage(FluidSeverity.Warning, issue, state.Key as Component, text, cure);
     }
 }

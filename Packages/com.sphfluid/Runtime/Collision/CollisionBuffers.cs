@@ -4,7 +4,9 @@ using UnityEngine;
 
 namespace SphFluid
 {
-    /// <summary>GPU copies of the collision triangles and collider ranges. They hold at least one element: a kernel's buffer must be bound.</summary>
+    /// <summary>
+    /// GPU copies of the collision triangles and collider ranges. They hold at least one element: a kernel's buffer must be bound.
+    /// </summary>
     internal sealed class CollisionBuffers : IDisposable
     {
         public GraphicsBuffer Triangles { get; private set; }
@@ -30,7 +32,7 @@ namespace SphFluid
             Triangles = Colliders = null;
         }
 
-        static GraphicsBuffer Fill<T>(GraphicsBuffer buffer, List<T> items, int stride, string name) where T : struct
+        private static GraphicsBuffer Fill<T>(GraphicsBuffer buffer, List<T> items, int stride, string name) where T : struct
         {
             if (buffer == null || buffer.count < items.Count)
             {

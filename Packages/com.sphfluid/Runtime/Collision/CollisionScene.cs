@@ -10,19 +10,19 @@ namespace SphFluid
     /// </summary>
     internal sealed class CollisionScene : IDisposable
     {
-        const int MostNames = 3;
+        private const int MostNames = 3;
 
-        readonly ColliderFinder finder;
-        readonly SkinnedWalls skins = new SkinnedWalls();
-        readonly ColliderTriangles maker;
-        readonly List<FluidMessage> messages = new List<FluidMessage>();
-        readonly List<FluidObstacle> solids = new List<FluidObstacle>();
-        readonly Dictionary<object, FluidObstacle> known = new Dictionary<object, FluidObstacle>();
-        readonly List<CollisionTriangle> triangles = new List<CollisionTriangle>();
-        readonly List<CollisionCollider> colliders = new List<CollisionCollider>();
-        readonly CollisionBuffers buffers = new CollisionBuffers();
+        private readonly ColliderFinder finder;
+        private readonly SkinnedWalls skins = new SkinnedWalls();
+        private readonly ColliderTriangles maker;
+        private readonly List<FluidMessage> messages = new List<FluidMessage>();
+        private readonly List<FluidObstacle> solids = new List<FluidObstacle>();
+        private readonly Dictionary<object, FluidObstacle> known = new Dictionary<object, FluidObstacle>();
+        private readonly List<CollisionTriangle> triangles = new List<CollisionTriangle>();
+        private readonly List<CollisionCollider> colliders = new List<CollisionCollider>();
+        private readonly CollisionBuffers buffers = new CollisionBuffers();
 
-        JoinedSolids joined; // made when it is asked for
+        private JoinedSolids joined; // made when it is asked for
 
         /// <summary>Nothing found yet.</summary>
         public CollisionScene()
@@ -92,7 +92,10 @@ namespace SphFluid
         /// <summary>Copies the triangles to the GPU; the buffers are replaced only when they grow.</summary>
         public void Upload() => buffers.Upload(triangles, colliders);
 
-        /// <summary>Reads all meshes and terrains again with the next <see cref="Gather"/>, which counts as a change; what did not change keeps its triangles.</summary>
+        /// <summary>
+        /// Reads all meshes and terrains again with the next <see cref="Gather"/>, which counts as a change; what did not change keeps its
+        /// triangles.
+        /// </summary>
         public void Invalidate()
         {
             finder.Clear();
@@ -110,7 +113,10 @@ namespace SphFluid
             return made == null ? solid : new FluidObstacle(state, solid.Spacing, made);
         }
 
-        /// <summary>Number of the collider that covers a point of simulation space, or of the solid that several enclose together, for <see cref="NameOf"/>; −1: none.</summary>
+        /// <summary>
+        /// Number of the collider that covers a point of simulation space, or of the solid that several enclose together, for
+        /// <see cref="NameOf"/>; −1: none.
+        /// </summary>
         /// <param name="point">Point [m].</param>
         /// <param name="clearance">Distance from a triangle below which a point counts as covered [m].</param>
         public int FindCovering(Vector3 point, float clearance)
@@ -128,7 +134,10 @@ namespace SphFluid
         {
             Vector3? nearest = null;
             foreach (FluidObstacle solid in solids)
-                if (solid.Mesh.Nearest(point, nearest == null ? within : Vector3.Distance(nearest.Value, point)) is Vector3 place) nearest = place;
+                if (solid.Mesh.Nearest(point, nearest == null ? within : Vector3.Distance(nearest.Value, point)) is Vector3 place)
+                {
+                    nearest = place;
+                }
             return nearest;
         }
 
@@ -150,7 +159,7 @@ namespace SphFluid
             buffers.Dispose();
         }
 
-        void Add(in ColliderState state, in CollisionQuery query, long limit)
+        private void Add(in ColliderState state, in CollisionQuery query, long limit)
         {
             if (!known.TryGetValue(state.Key, out FluidObstacle solid) || !solid.State.Equals(state))
             {
@@ -180,7 +189,7 @@ namespace SphFluid
             if (triangles.Count > first) colliders.Add(RangeOf(first, mesh.IsClosed));
         }
 
-        CollisionCollider RangeOf(int first, bool closed)
+        private CollisionCollider RangeOf(int first, bool closed)
         {
             Vector3 min = Vector3.positiveInfinity, max = Vector3.negativeInfinity;
             for (int t = first; t < triangles.Count; t++)
@@ -198,14 +207,16 @@ namespace SphFluid
             };
         }
 
-        void ReportDegenerate(Component source, int count, int of) => messages.Add(count < of
-            ? new FluidMessage(FluidSeverity.Info, FluidIssue.DegenerateTriangles, source, $"{count} of {of} triangles have no area and were left out.", "")
+        private void ReportDegenerate(Component source, int count, int of) => messages.Add(count < of
+            ? new FluidMessage(FluidSeverity.Info, FluidIssue.DegenerateTriangles, source,
+                $"{count} of {of} triangles have no area and were left out.", "")
             : new FluidMessage(FluidSeverity.Warning, FluidIssue.DegenerateTriangles, source,
                 "None of its triangles has an area, so the fluid cannot collide with it.", "Use a mesh with triangles that have an area."));
 
-        void ReportTooMany(Component source, long limit) => messages.Add(new FluidMessage(
+        private void ReportTooMany(Component source, long limit) => messages.Add(new FluidMessage(
             FluidSeverity.Warning, FluidIssue.TooManyTriangles, source,
-            $"The colliders in the domain hold more than {limit} triangles, the most this device takes in a buffer, so the fluid passes through this one.",
+            $"The colliders in the domain hold more than {limit} triangles, the most this device takes in a buffer, so the fluid passes " +
+            "through this one.",
             "Use simpler collision meshes or a smaller domain."));
     }
 }

@@ -4,10 +4,10 @@ namespace SphFluid
     internal static class ContactDistances
     {
         // Over dx, where particles come to rest on triangles.
-        const float RestRatio = 0.1f;
+        private const float RestRatio = 0.1f;
 
         // Over dx: displacements that contact follows in a step; longer ones are shortened and counted.
-        const float LongestRatio = 8f;
+        private const float LongestRatio = 8f;
 
         /// <summary>Where particles come to rest [m].</summary>
         public static float Rest(in FluidSolverSettings settings) => RestRatio * settings.Spacing;

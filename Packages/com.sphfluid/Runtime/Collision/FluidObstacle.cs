@@ -16,7 +16,9 @@ namespace SphFluid
         /// <summary>The collider; null for the skin of a renderer, the pipe of an emitter and a mesh that a script gave.</summary>
         public Collider Collider => State.Collider;
 
-        /// <summary>What it is of: a collider, the renderer of a skin, or the emitter whose pipe it is; null for a mesh that a script gave.</summary>
+        /// <summary>
+        /// What it is of: a collider, the renderer of a skin, or the emitter whose pipe it is; null for a mesh that a script gave.
+        /// </summary>
         public Component Source => State.Key as Component;
 
         /// <summary>All of its triangles in simulation space [m].</summary>

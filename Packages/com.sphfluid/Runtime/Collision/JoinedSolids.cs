@@ -5,23 +5,24 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>
-    /// Solids that open meshes enclose together, as six faces of a crate do, or one whose seams gape: others run the opposite way along each of their open
-    /// edges, nearer than liquid gets through. A place is in one where its triangles wind round it: their solid angles sum to 4π (A. Jacobson et al., "Robust
-    /// Inside-Outside Segmentation using Generalized Winding Numbers", ACM Trans. Graph. 32(4), 2013).
+    /// Solids that open meshes enclose together, as six faces of a crate do, or one whose seams gape: others run the opposite way along
+    /// each of their open edges, nearer than liquid gets through. A place is in one where its triangles wind round it: their solid angles
+    /// sum to 4π (A. Jacobson et al., "Robust Inside-Outside Segmentation using Generalized Winding Numbers", ACM Trans. Graph. 32(4),
+    /// 2013).
     /// </summary>
     internal sealed class JoinedSolids
     {
         // Of the spacing: radius within which what runs along edges has to cancel. And how much may be left of an edge's own length.
-        const float Reach = 0.5f, Left = 0.25f;
+        private const float Reach = 0.5f, Left = 0.25f;
 
-        const int MostSamples = 64;
+        private const int MostSamples = 64;
 
-        readonly IReadOnlyList<FluidObstacle> solids;
-        readonly List<Edge> edges = new List<Edge>(); // by their lowest x
-        readonly List<Group> groups = new List<Group>();
-        readonly int[] parent; // of each mesh another of its group; −1 of one that has an inside of its own, or an opening
-        readonly float reach;
-        float longest;
+        private readonly IReadOnlyList<FluidObstacle> solids;
+        private readonly List<Edge> edges = new List<Edge>(); // by their lowest x
+        private readonly List<Group> groups = new List<Group>();
+        private readonly int[] parent; // of each mesh another of its group; −1 of one that has an inside of its own, or an opening
+        private readonly float reach;
+        private float longest;
 
         /// <param name="solids">The colliders, in simulation space.</param>
         /// <param name="spacing">Particle spacing dx [m].</param>
@@ -43,8 +44,9 @@ namespace SphFluid
         /// <summary>The colliders that enclose a solid.</summary>
         public IReadOnlyList<FluidObstacle> Members(int solid) => groups[solid].Members;
 
-        // A ray counts the surfaces that wind round its start unless it passes an open edge. There cones over the edges close the meshes, and what they add is taken off.
-        double Winding(Group group, Vector3 point)
+        // A ray counts the surfaces that wind round its start unless it passes an open edge. There cones over the edges close the meshes,
+        // and what they add is taken off.
+        private double Winding(Group group, Vector3 point)
         {
             double winding = 0.0;
             bool isNear = false;
@@ -53,11 +55,14 @@ namespace SphFluid
             if (!isNear) return winding;
             Vector3 apex = group.Bounds.center;
             foreach (Edge edge in group.Edges)
-                winding += edge.Times * (TriangleMath.RayCrossing(point, apex, edge.To, edge.From) - TriangleMath.SolidAngle(point, apex, edge.To, edge.From));
+            {
+                winding += edge.Times *
+                    (TriangleMath.RayCrossing(point, apex, edge.To, edge.From) - TriangleMath.SolidAngle(point, apex, edge.To, edge.From));
+            }
             return winding;
         }
 
-        bool AddEdges(int number)
+        private bool AddEdges(int number)
         {
             TriangleMesh mesh = solids[number].Mesh;
             if (mesh.IsClosed) return false;
@@ -72,7 +77,7 @@ namespace SphFluid
         }
 
         // One mesh that is open opens those beside it.
-        bool DropOpen()
+        private bool DropOpen()
         {
             int before = edges.Count;
             foreach (Edge edge in edges)
@@ -81,7 +86,7 @@ namespace SphFluid
             return edges.Count < before;
         }
 
-        bool IsClosedAlong(in Edge edge)
+        private bool IsClosedAlong(in Edge edge)
         {
             Vector3 along = edge.To - edge.From;
             int samples = Mathf.Clamp(Mathf.CeilToInt(along.magnitude / (2f * reach)), 1, MostSamples);
@@ -95,14 +100,14 @@ namespace SphFluid
             return true;
         }
 
-        void ForEachNear(Edge edge, Action<Edge> visit)
+        private void ForEachNear(Edge edge, Action<Edge> visit)
         {
             for (int i = FirstNear(edge.Min.x); i < edges.Count && edges[i].Min.x <= edge.Max.x + reach; i++)
                 if (edges[i].Mesh != edge.Mesh && edges[i].IsNear(edge, reach)) visit(edges[i]);
         }
 
         // The first edge that may reach as far as x.
-        int FirstNear(float x)
+        private int FirstNear(float x)
         {
             int low = 0, high = edges.Count;
             while (low < high)
@@ -114,13 +119,13 @@ namespace SphFluid
             return low;
         }
 
-        int Root(int mesh)
+        private int Root(int mesh)
         {
             while (parent[mesh] != mesh) mesh = parent[mesh];
             return mesh;
         }
 
-        void Collect()
+        private void Collect()
         {
             var byRoot = new Dictionary<int, Group>();
             for (int i = 0; i < parent.Length; i++)
@@ -137,14 +142,14 @@ namespace SphFluid
             foreach (Edge edge in edges) byRoot[Root(edge.Mesh)].Edges.Add(edge);
         }
 
-        sealed class Group
+        private sealed class Group
         {
             public readonly List<FluidObstacle> Members = new List<FluidObstacle>();
             public readonly List<Edge> Edges = new List<Edge>();
             public Bounds Bounds;
         }
 
-        readonly struct Edge
+        private readonly struct Edge
         {
             public readonly int Mesh, Times;
             public readonly Vector3 From, To, Min, Max;
@@ -167,7 +172,8 @@ namespace SphFluid
             }
 
             public bool IsNearRay(Vector3 start, float reach) =>
-                Max.x >= start.x - reach && Min.y <= start.y + reach && Max.y >= start.y - reach && Min.z <= start.z + reach && Max.z >= start.z - reach;
+                Max.x >= start.x - reach && Min.y <= start.y + reach && Max.y >= start.y - reach && Min.z <= start.z + reach &&
+                    Max.z >= start.z - reach;
 
             public bool IsNear(in Edge other, float reach)
             {

@@ -23,7 +23,7 @@ namespace SphFluid
         }
 
         // A mesh that cannot be read still has its bounds; one without vertices is where its transform is.
-        static bool IntersectsDomain(MeshCollider collider, in Matrix4x4 worldToSimulation, Vector3 half)
+        private static bool IntersectsDomain(MeshCollider collider, in Matrix4x4 worldToSimulation, Vector3 half)
         {
             Matrix4x4 toSimulation = worldToSimulation * collider.transform.localToWorldMatrix;
             Bounds bounds = collider.sharedMesh != null ? collider.sharedMesh.bounds : new Bounds();

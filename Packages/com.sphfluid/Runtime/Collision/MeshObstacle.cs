@@ -10,14 +10,14 @@ namespace SphFluid
     /// </summary>
     internal sealed class MeshObstacle
     {
-        const int MaxBins = 256;
+        private const int MaxBins = 256;
 
-        readonly TriangleMesh mesh;
-        readonly int[] welded;
-        readonly Bounds bounds;
-        readonly List<int>[] bins;
-        readonly int binsY, binsZ;
-        readonly double perY, perZ;
+        private readonly TriangleMesh mesh;
+        private readonly int[] welded;
+        private readonly Bounds bounds;
+        private readonly List<int>[] bins;
+        private readonly int binsY, binsZ;
+        private readonly double perY, perZ;
 
         /// <summary>An obstacle of triangles in simulation space.</summary>
         public MeshObstacle(TriangleMesh mesh)
@@ -42,7 +42,10 @@ namespace SphFluid
         /// </summary>
         public bool Contains(Vector3 point) => Winding(point) > 0;
 
-        /// <summary>Times a closed surface winds round the point: 1 inside faces that look outward, −1 inside faces that look inward; 0 for an open mesh.</summary>
+        /// <summary>
+        /// Times a closed surface winds round the point: 1 inside faces that look outward, −1 inside faces that look inward; 0 for an open
+        /// mesh.
+        /// </summary>
         public int Winding(Vector3 point) => mesh.IsClosed && bounds.Contains(point) ? Crossings(point) : 0;
 
         /// <summary>Sum of the crossings of a ray from the point along +x: +1 where it meets a back, −1 where it meets a front.</summary>
@@ -71,11 +74,13 @@ namespace SphFluid
             float square = within * within;
             for (int z = BinZ(point.z - within); z <= BinZ(point.z + within); z++)
                 for (int y = BinY(point.y - within); y <= BinY(point.y + within); y++)
+                {
                     Nearest(bins[Index(y, z)], point, within, ref square, ref nearest);
+                }
             return nearest;
         }
 
-        void Nearest(List<int> bin, Vector3 point, float within, ref float square, ref Vector3? nearest)
+        private void Nearest(List<int> bin, Vector3 point, float within, ref float square, ref Vector3? nearest)
         {
             if (bin == null) return;
             foreach (int t in bin)
@@ -91,27 +96,26 @@ namespace SphFluid
         }
 
         // A ray never slips between two triangles only if their common corners are the same to the bit.
-        void Corners(int t, out Vector3 a, out Vector3 b, out Vector3 c)
+        private void Corners(int t, out Vector3 a, out Vector3 b, out Vector3 c)
         {
             a = mesh.Vertices[welded[mesh.Indices[3 * t]]];
             b = mesh.Vertices[welded[mesh.Indices[3 * t + 1]]];
             c = mesh.Vertices[welded[mesh.Indices[3 * t + 2]]];
         }
 
-        void AddToBins(int t)
+        private void AddToBins(int t)
         {
             Corners(t, out Vector3 a, out Vector3 b, out Vector3 c);
             if (!AffineMath.IsFinite(a + b + c)) return;
             Vector3 min = Vector3.Min(a, Vector3.Min(b, c)), max = Vector3.Max(a, Vector3.Max(b, c));
             for (int z = BinZ(min.z); z <= BinZ(max.z); z++)
-                for (int y = BinY(min.y); y <= BinY(max.y); y++)
-                    (bins[Index(y, z)] ??= new List<int>()).Add(t);
+                for (int y = BinY(min.y); y <= BinY(max.y); y++) (bins[Index(y, z)] ??= new List<int>()).Add(t);
         }
 
-        int BinY(float y) => Bin((y - bounds.min.y) * perY, binsY);
-        int BinZ(float z) => Bin((z - bounds.min.z) * perZ, binsZ);
-        int Index(int y, int z) => z * binsY + y;
+        private int BinY(float y) => Bin((y - bounds.min.y) * perY, binsY);
+        private int BinZ(float z) => Bin((z - bounds.min.z) * perZ, binsZ);
+        private int Index(int y, int z) => z * binsY + y;
 
-        static int Bin(double coordinate, int count) => (int)Math.Min(Math.Max(Math.Floor(coordinate), 0.0), count - 1);
+        private static int Bin(double coordinate, int count) => (int)Math.Min(Math.Max(Math.Floor(coordinate), 0.0), count - 1);
     }
 }

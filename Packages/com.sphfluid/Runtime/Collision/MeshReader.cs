@@ -7,15 +7,18 @@ namespace SphFluid
     /// <summary>Reads Unity meshes into <see cref="TriangleMesh"/>, once for each state of a mesh.</summary>
     internal sealed class MeshReader
     {
-        readonly Dictionary<Mesh, Entry> entries = new Dictionary<Mesh, Entry>();
-        readonly List<Vector3> vertices = new List<Vector3>();
-        readonly List<int> indices = new List<int>();
+        private readonly Dictionary<Mesh, Entry> entries = new Dictionary<Mesh, Entry>();
+        private readonly List<Vector3> vertices = new List<Vector3>();
+        private readonly List<int> indices = new List<int>();
 
         /// <summary>Triangles of a readable mesh in its own space; quads are cut in two, lines and points left out.</summary>
         public TriangleMesh Read(Mesh mesh) => Current(mesh).Triangles;
 
-        /// <summary>Times that a mesh was read and found to be another than before: shows edits that left counts and bounds as they were.</summary>
-        public int EditionOf(Mesh mesh) => !entries.TryGetValue(mesh, out Entry entry) ? 0 : entry.IsStale && mesh.isReadable ? Current(mesh).Edition : entry.Edition;
+        /// <summary>
+        /// Times that a mesh was read and found to be another than before: shows edits that left counts and bounds as they were.
+        /// </summary>
+        public int EditionOf(Mesh mesh) => !entries.TryGetValue(mesh, out Entry entry) ? 0 : entry.IsStale &&
+            mesh.isReadable ? Current(mesh).Edition : entry.Edition;
 
         /// <summary>Reads every mesh again when it is next asked for; those that did not change keep their triangles.</summary>
         public void Refresh()
@@ -23,7 +26,7 @@ namespace SphFluid
             foreach (Entry entry in entries.Values) entry.IsStale = true;
         }
 
-        Entry Current(Mesh mesh)
+        private Entry Current(Mesh mesh)
         {
             MeshStamp stamp = MeshStamp.Read(mesh);
             if (!entries.TryGetValue(mesh, out Entry entry))
@@ -45,7 +48,7 @@ namespace SphFluid
             return entry;
         }
 
-        TriangleMesh ReadAll(Mesh mesh)
+        private TriangleMesh ReadAll(Mesh mesh)
         {
             mesh.GetVertices(vertices);
             var triangles = new List<int>();
@@ -60,7 +63,7 @@ namespace SphFluid
             return new TriangleMesh(vertices.ToArray(), triangles.ToArray(), null);
         }
 
-        void AddQuads(List<int> triangles)
+        private void AddQuads(List<int> triangles)
         {
             for (int i = 0; i + 3 < indices.Count; i += 4)
             {
@@ -69,7 +72,7 @@ namespace SphFluid
             }
         }
 
-        sealed class Entry
+        private sealed class Entry
         {
             public MeshStamp Stamp;
             public TriangleMesh Triangles;
@@ -81,11 +84,11 @@ namespace SphFluid
     /// <summary>What shows cheaply that a mesh has changed: counts and bounds.</summary>
     internal readonly struct MeshStamp : IEquatable<MeshStamp>
     {
-        readonly int vertices;
-        readonly long indices;
-        readonly Bounds bounds;
+        private readonly int vertices;
+        private readonly long indices;
+        private readonly Bounds bounds;
 
-        MeshStamp(int vertices, long indices, Bounds bounds)
+        private MeshStamp(int vertices, long indices, Bounds bounds)
         {
             this.vertices = vertices;
             this.indices = indices;

@@ -5,8 +5,8 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>
-    /// Which triangles of a mesh make up one surface: those that share an edge which no third one has. Their corners may run either way; of which
-    /// triangles they run the other way than of the first is told. Corners within a millionth of the mesh's size are one.
+    /// Which triangles of a mesh make up one surface: those that share an edge which no third one has. Their corners may run either way; of
+    /// which triangles they run the other way than of the first is told. Corners within a millionth of the mesh's size are one.
     /// </summary>
     internal sealed class MeshSurfaces
     {
@@ -16,18 +16,21 @@ namespace SphFluid
         /// <summary>Bit of <see cref="Edges"/>: the corners run the other way than those of the surface's first triangle.</summary>
         public const uint Turned = 8u;
 
-        /// <summary>Bits beside those of <see cref="Edges"/>: the solid is deep on the side from which the normal looks, and on that to which it looks.</summary>
+        /// <summary>
+        /// Bits beside those of <see cref="Edges"/>: the solid is deep on the side from which the normal looks, and on that to which it
+        /// looks.
+        /// </summary>
         public const uint DeepBehind = 16u, DeepAhead = 32u, Deep = DeepBehind | DeepAhead;
 
         /// <summary>Bits of <see cref="Edges"/> below the number of the surface.</summary>
         public const int NumberShift = 8;
 
         // Of the angle between two planes that are one.
-        const double Coplanar = 1e-4;
+        private const double Coplanar = 1e-4;
 
-        readonly int[] parent;
-        readonly bool[] turned; // against the parent
-        MeshSurfaces deforming;
+        private readonly int[] parent;
+        private readonly bool[] turned; // against the parent
+        private MeshSurfaces deforming;
 
         /// <summary>The surfaces of a mesh.</summary>
         public MeshSurfaces(TriangleMesh mesh)
@@ -42,7 +45,7 @@ namespace SphFluid
             Number();
         }
 
-        MeshSurfaces(MeshSurfaces other)
+        private MeshSurfaces(MeshSurfaces other)
         {
             Order = other.Order;
             Count = other.Count;
@@ -62,7 +65,7 @@ namespace SphFluid
         /// <summary>The same surfaces where corners move: no two triangles stay in one plane.</summary>
         public MeshSurfaces Deforming => deforming ??= new MeshSurfaces(this);
 
-        void Join(TriangleMesh mesh, int[] welded)
+        private void Join(TriangleMesh mesh, int[] welded)
         {
             var seen = new Dictionary<(int, int), Edge>(Edges.Length * 3 / 2);
             for (int t = 0; t < Edges.Length; t++)
@@ -88,7 +91,7 @@ namespace SphFluid
             }
         }
 
-        static bool IsOnePlane(TriangleMesh mesh, int first, int second, bool against)
+        private static bool IsOnePlane(TriangleMesh mesh, int first, int second, bool against)
         {
             BodyTriangle a = Triangle(mesh, first), b = Triangle(mesh, second);
             var n = new Vector3(a.NormalX, a.NormalY, a.NormalZ);
@@ -96,13 +99,13 @@ namespace SphFluid
             return n != Vector3.zero && m != Vector3.zero && (n - (against ? -m : m)).magnitude < Coplanar;
         }
 
-        static BodyTriangle Triangle(TriangleMesh mesh, int index)
+        private static BodyTriangle Triangle(TriangleMesh mesh, int index)
         {
             mesh.GetTriangle(index, out Vector3 a, out Vector3 b, out Vector3 c);
             return BodyTriangle.Create(a, b, c);
         }
 
-        (int root, bool turned) Find(int t)
+        private (int root, bool turned) Find(int t)
         {
             bool against = false;
             int root = t;
@@ -119,7 +122,7 @@ namespace SphFluid
             return (root, against);
         }
 
-        void Unite(int a, int b, bool against)
+        private void Unite(int a, int b, bool against)
         {
             (int rootA, bool turnedA) = Find(a);
             (int rootB, bool turnedB) = Find(b);
@@ -129,7 +132,7 @@ namespace SphFluid
             turned[high] = turnedA ^ turnedB ^ against;
         }
 
-        void Number()
+        private void Number()
         {
             var numbers = new int[Edges.Length];
             var roots = new Dictionary<int, int>();
@@ -143,7 +146,7 @@ namespace SphFluid
             Array.Sort(numbers, Order); // unstable within a surface, whose order is of no account
         }
 
-        struct Edge
+        private struct Edge
         {
             public int Uses, First, Second; // three times the triangle, plus the edge
             public bool FirstForward, SecondForward;

@@ -10,7 +10,7 @@ namespace SphFluid
         /// <summary>Most segments round a sphere, capsule or wheel; beyond it the chord error grows past what was asked.</summary>
         public const int MaxSegments = 64;
 
-        static readonly int[] BoxIndices =
+        private static readonly int[] BoxIndices =
         {
             0, 4, 6, 0, 6, 2, // −x
             1, 3, 7, 1, 7, 5, // +x
@@ -75,14 +75,17 @@ namespace SphFluid
         }
 
         // Rows from the first below the upper pole to the last above the lower one; a sphere has one equator, a capsule two.
-        static void AddRings(List<Vector3> vertices, int segments, int rings, float radius, float halfLength)
+        private static void AddRings(List<Vector3> vertices, int segments, int rings, float radius, float halfLength)
         {
             for (int ring = 1; ring <= rings; ring++) AddRow(vertices, segments, radius, halfLength, 0.5 * Math.PI * ring / rings);
             if (halfLength > 0f) AddRow(vertices, segments, radius, -halfLength, 0.5 * Math.PI);
-            for (int ring = 1; ring < rings; ring++) AddRow(vertices, segments, radius, -halfLength, 0.5 * Math.PI * (1.0 + ring / (double)rings));
+            for (int ring = 1; ring < rings; ring++)
+            {
+                AddRow(vertices, segments, radius, -halfLength, 0.5 * Math.PI * (1.0 + ring / (double)rings));
+            }
         }
 
-        static void AddRow(List<Vector3> vertices, int segments, float radius, float offset, double polar)
+        private static void AddRow(List<Vector3> vertices, int segments, float radius, float offset, double polar)
         {
             double around = radius * Math.Sin(polar), height = offset + radius * Math.Cos(polar);
             for (int s = 0; s < segments; s++)
@@ -93,7 +96,7 @@ namespace SphFluid
         }
 
         // The upper pole, rows of corners downwards, the lower pole.
-        static TriangleMesh Turned(List<Vector3> vertices, int segments)
+        private static TriangleMesh Turned(List<Vector3> vertices, int segments)
         {
             var indices = new List<int>();
             int rows = (vertices.Count - 2) / segments;
@@ -113,7 +116,7 @@ namespace SphFluid
             return new TriangleMesh(vertices.ToArray(), indices.ToArray(), true);
         }
 
-        static void AddTriangle(List<int> indices, int a, int b, int c)
+        private static void AddTriangle(List<int> indices, int a, int b, int c)
         {
             indices.Add(a);
             indices.Add(b);

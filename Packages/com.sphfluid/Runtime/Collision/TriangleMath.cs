@@ -51,7 +51,8 @@ namespace SphFluid
             Vector3 u = b - a, v = c - a, h = Vector3.Cross(direction, v), s = p - a, q = Vector3.Cross(s, u);
             float determinant = Vector3.Dot(u, h), x = Vector3.Dot(s, h), y = Vector3.Dot(direction, q);
             along = Vector3.Dot(v, q) / determinant;
-            return determinant > 0f ? x >= 0f && y >= 0f && x + y <= determinant : determinant < 0f && x <= 0f && y <= 0f && x + y >= determinant;
+            return determinant > 0f ? x >= 0f && y >= 0f && x + y <= determinant : determinant < 0f && x <= 0f && y <= 0f &&
+                x + y >= determinant;
         }
 
         /// <summary>As <see cref="LineCrossing"/>, of the ray along +x from the point: +1 where it leaves what the face encloses.</summary>
@@ -71,7 +72,8 @@ namespace SphFluid
             (double x, double y, double z) v = ((double)b.x - p.x, (double)b.y - p.y, (double)b.z - p.z);
             (double x, double y, double z) w = ((double)c.x - p.x, (double)c.y - p.y, (double)c.z - p.z);
             double uv = u.x * v.x + u.y * v.y + u.z * v.z, vw = v.x * w.x + v.y * w.y + v.z * w.z, wu = w.x * u.x + w.y * u.y + w.z * u.z;
-            double lu = Math.Sqrt(u.x * u.x + u.y * u.y + u.z * u.z), lv = Math.Sqrt(v.x * v.x + v.y * v.y + v.z * v.z), lw = Math.Sqrt(w.x * w.x + w.y * w.y + w.z * w.z);
+            double lu = Math.Sqrt(u.x * u.x + u.y * u.y + u.z * u.z), lv = Math.Sqrt(v.x * v.x + v.y * v.y + v.z * v.z),
+                lw = Math.Sqrt(w.x * w.x + w.y * w.y + w.z * w.z);
             double volume = u.x * (v.y * w.z - v.z * w.y) + u.y * (v.z * w.x - v.x * w.z) + u.z * (v.x * w.y - v.y * w.x);
             return Math.Atan2(volume, lu * lv * lw + uv * lw + vw * lu + wu * lv) / (2.0 * Math.PI);
         }
@@ -115,7 +117,8 @@ namespace SphFluid
                 if (min[axis] > halfExtents[axis] || max[axis] < -halfExtents[axis]) return false;
             Vector3 normal = Vector3.Cross(b - a, c - a);
             float reach = Mathf.Abs(normal.x) * halfExtents.x + Mathf.Abs(normal.y) * halfExtents.y + Mathf.Abs(normal.z) * halfExtents.z;
-            float size = Mathf.Abs(normal.x * (a.x - center.x)) + Mathf.Abs(normal.y * (a.y - center.y)) + Mathf.Abs(normal.z * (a.z - center.z));
+            float size = Mathf.Abs(normal.x * (a.x - center.x)) + Mathf.Abs(normal.y * (a.y - center.y)) +
+                Mathf.Abs(normal.z * (a.z - center.z));
             return Mathf.Abs(Vector3.Dot(normal, a - center)) <= reach + 1e-5f * size;
         }
     }

@@ -11,24 +11,29 @@ namespace SphFluid
     public sealed class TriangleMesh
     {
         // Of the mesh's size.
-        const double Weld = 1e-6;
+        private const double Weld = 1e-6;
 
-        Joints joints = new Joints();
-        Bounds? bounds;
-        MeshObstacle obstacle;
-        MeshSurfaces surfaces;
+        private Joints joints = new Joints();
+        private Bounds? bounds;
+        private MeshObstacle obstacle;
+        private MeshSurfaces surfaces;
 
         /// <summary>A mesh that keeps its arrays: do not change them.</summary>
         /// <param name="vertices">Corners [m].</param>
         /// <param name="indices">Three a triangle.</param>
         /// <exception cref="ArgumentNullException">An array is missing.</exception>
-        /// <exception cref="ArgumentException">The indices do not make whole triangles or name corners that there are not, or a corner is not finite.</exception>
+        /// <exception cref="ArgumentException">The indices do not make whole triangles or name corners that there are not, or a corner is
+        /// not finite.</exception>
         public TriangleMesh(Vector3[] vertices, int[] indices)
             : this(vertices, indices, null)
         {
             foreach (Vector3 vertex in vertices) Require.Finite(vertex, nameof(vertices));
             foreach (int index in indices)
-                if (index < 0 || index >= vertices.Length) throw new ArgumentOutOfRangeException(nameof(indices), index, $"The mesh has {vertices.Length} corners. Use the numbers of these, from 0 on.");
+                if (index < 0 || index >= vertices.Length)
+                {
+                    throw new ArgumentOutOfRangeException(nameof(indices), index,
+                        $"The mesh has {vertices.Length} corners. Use the numbers of these, from 0 on.");
+                }
         }
 
         /// <summary>A mesh of which it is known whether it is closed; null: it is found out when asked for.</summary>
@@ -55,7 +60,10 @@ namespace SphFluid
         /// </summary>
         public bool IsClosed => joints.Closed ??= IsBalanced();
 
-        /// <summary>Of each corner the first that is at its place: importers split corners at seams of normals and texture coordinates, and rounding parts them by a little.</summary>
+        /// <summary>
+        /// Of each corner the first that is at its place: importers split corners at seams of normals and texture coordinates, and rounding
+        /// parts them by a little.
+        /// </summary>
         internal int[] Welded => joints.Welded ??= new VertexWeld(Vertices, (float)(Weld * Bounds.size.magnitude)).Numbers;
 
         /// <summary>The corners of single triangles as a mesh.</summary>
@@ -80,7 +88,10 @@ namespace SphFluid
         /// <returns>The mesh.</returns>
         public static TriangleMesh Box(in Matrix4x4 fromUnitCube) => PrimitiveTessellator.Box(fromUnitCube);
 
-        /// <summary>Edges whose triangles do not run in one direction as often as in the other, and how much more often they run from the first corner to the second.</summary>
+        /// <summary>
+        /// Edges whose triangles do not run in one direction as often as in the other, and how much more often they run from the first
+        /// corner to the second.
+        /// </summary>
         internal List<(int from, int to, int times)> OpenEdges()
         {
             var open = new List<(int, int, int)>();
@@ -100,7 +111,10 @@ namespace SphFluid
         /// <returns>True inside.</returns>
         public bool Contains(Vector3 point) => Obstacle.Contains(point);
 
-        /// <summary>Times a closed surface winds round a point: 1 inside faces that look outward, −1 inside faces that look inward; 0 for an open mesh.</summary>
+        /// <summary>
+        /// Times a closed surface winds round a point: 1 inside faces that look outward, −1 inside faces that look inward; 0 for an open
+        /// mesh.
+        /// </summary>
         /// <param name="point">Point [m].</param>
         /// <returns>The number, positive where <see cref="Contains"/> is true.</returns>
         public int Winding(Vector3 point) => Obstacle.Winding(point);
@@ -135,7 +149,10 @@ namespace SphFluid
             return With(vertices, Indices);
         }
 
-        /// <summary>The same triangles with other corners, as of a mesh that deforms. What is closed stays closed: corners at one place must stay together.</summary>
+        /// <summary>
+        /// The same triangles with other corners, as of a mesh that deforms. What is closed stays closed: corners at one place must stay
+        /// together.
+        /// </summary>
         /// <param name="vertices">As many as there are now [m]; the array is kept.</param>
         /// <returns>A new mesh.</returns>
         /// <exception cref="ArgumentException">It is another number of them.</exception>
@@ -143,7 +160,9 @@ namespace SphFluid
         {
             if (vertices == null) throw new ArgumentNullException(nameof(vertices));
             if (vertices.Length != Vertices.Length)
+            {
                 throw new ArgumentException($"The mesh has {Vertices.Length} corners, but {vertices.Length} were given.", nameof(vertices));
+            }
             TriangleMesh deformed = With(vertices, Indices);
             deformed.surfaces = Surfaces.Deforming;
             return deformed;
@@ -190,15 +209,15 @@ namespace SphFluid
         internal Vector3? Nearest(Vector3 point, float within) => Obstacle.Nearest(point, within);
 
         // Prepared at the first use.
-        MeshObstacle Obstacle => obstacle ??= new MeshObstacle(this);
+        private MeshObstacle Obstacle => obstacle ??= new MeshObstacle(this);
 
-        TriangleMesh With(Vector3[] vertices, int[] indices)
+        private TriangleMesh With(Vector3[] vertices, int[] indices)
         {
             _ = Welded; // a copy that is flat has corners at one place that are apart in the others
             return new TriangleMesh(vertices, indices, null) { joints = joints };
         }
 
-        bool IsBalanced()
+        private bool IsBalanced()
         {
             Dictionary<(int, int), int> balance = Balance();
             foreach (int value in balance.Values)
@@ -206,7 +225,7 @@ namespace SphFluid
             return balance.Count > 0; // else no triangle has three corners
         }
 
-        Dictionary<(int from, int to), int> Balance()
+        private Dictionary<(int from, int to), int> Balance()
         {
             var balance = new Dictionary<(int, int), int>();
             int[] welded = Welded;
@@ -221,7 +240,7 @@ namespace SphFluid
             return balance;
         }
 
-        Bounds FindBounds()
+        private Bounds FindBounds()
         {
             Vector3 min = Vector3.positiveInfinity, max = Vector3.negativeInfinity;
             foreach (int index in Indices)
@@ -236,7 +255,7 @@ namespace SphFluid
             return found;
         }
 
-        static void AddEdge(Dictionary<(int, int), int> balance, int from, int to)
+        private static void AddEdge(Dictionary<(int, int), int> balance, int from, int to)
         {
             (int, int) key = from < to ? (from, to) : (to, from);
             balance.TryGetValue(key, out int value);
@@ -244,7 +263,7 @@ namespace SphFluid
         }
 
         // How corners hang together, wherever they are.
-        sealed class Joints
+        private sealed class Joints
         {
             public bool? Closed;
             public int[] Welded;

@@ -4,7 +4,10 @@ using UnityEngine;
 
 namespace SphFluid
 {
-    /// <summary>Corners of a mesh that are one place: importers split them at seams of normals and texture coordinates, and rounding parts them by a little.</summary>
+    /// <summary>
+    /// Corners of a mesh that are one place: importers split them at seams of normals and texture coordinates, and rounding parts them by a
+    /// little.
+    /// </summary>
     internal sealed class VertexWeld
     {
         /// <param name="vertices">Corners [m].</param>
@@ -28,12 +31,13 @@ namespace SphFluid
         /// <summary>Of each corner the first that is at its place.</summary>
         public int[] Numbers { get; }
 
-        static int Near(Vector3[] vertices, Dictionary<(long, long, long), List<int>> cells, Vector3 at, float within, double side)
+        private static int Near(Vector3[] vertices, Dictionary<(long, long, long), List<int>> cells, Vector3 at, float within, double side)
         {
             (long, long, long) last = default;
             for (int corner = 0; corner < 8; corner++)
             {
-                (long, long, long) cell = CellOf(at, (corner & 1) == 0 ? -within : within, (corner & 2) == 0 ? -within : within, (corner & 4) == 0 ? -within : within, side);
+                (long, long, long) cell = CellOf(at, (corner & 1) == 0 ? -within : within, (corner & 2) == 0 ? -within : within,
+                    (corner & 4) == 0 ? -within : within, side);
                 if (corner > 0 && cell == last) continue;
                 last = cell;
                 if (!cells.TryGetValue(cell, out List<int> list)) continue;
@@ -43,7 +47,8 @@ namespace SphFluid
             return -1;
         }
 
-        static (long, long, long) CellOf(Vector3 p, float x, float y, float z, double side) =>
-            ((long)Math.Floor(((double)p.x + x) / side), (long)Math.Floor(((double)p.y + y) / side), (long)Math.Floor(((double)p.z + z) / side));
+        private static (long, long, long) CellOf(Vector3 p, float x, float y, float z, double side) =>
+            ((long)Math.Floor(((double)p.x + x) / side), (long)Math.Floor(((double)p.y + y) / side),
+                (long)Math.Floor(((double)p.z + z) / side));
     }
 }

@@ -31,7 +31,7 @@ namespace SphFluid
     internal static class WallFinder
     {
         // Of the support radius: by so much a wall that faces the right way comes before one that does not.
-        const float Preference = 1e-3f;
+        private const float Preference = 1e-3f;
 
         /// <summary>The nearest wall within the support radius.</summary>
         /// <param name="solids">The colliders, in simulation space.</param>
@@ -54,7 +54,7 @@ namespace SphFluid
             return found;
         }
 
-        static WallPlace? Face(in FluidSolverSettings settings, Vector3 place, Vector3 forward, ref float best)
+        private static WallPlace? Face(in FluidSolverSettings settings, Vector3 place, Vector3 forward, ref float best)
         {
             WallPlace? found = null;
             FluidFaces walls = ~(settings.Boundaries.Open | FluidBoundaries.FacesOf(settings.Boundaries.Periodic));
@@ -67,7 +67,8 @@ namespace SphFluid
                 Vector3 point = Vector3.Max(-half, Vector3.Min(half, place)), normal = Vector3.zero;
                 point[axis] = side * half[axis];
                 normal[axis] = -side;
-                float away = Vector3.Distance(place, point), score = away - Preference * settings.SupportRadius * Vector3.Dot(normal, forward);
+                float away = Vector3.Distance(place, point),
+                    score = away - Preference * settings.SupportRadius * Vector3.Dot(normal, forward);
                 if (away > settings.SupportRadius || score >= best) continue;
                 best = score;
                 found = new WallPlace(point, normal, away, null);
@@ -75,11 +76,12 @@ namespace SphFluid
             return found;
         }
 
-        static FluidFaces FaceOf(int face) => face == 0 ? FluidFaces.LowX : face == 1 ? FluidFaces.HighX : face == 2 ? FluidFaces.LowY
+        private static FluidFaces FaceOf(int face) => face == 0 ? FluidFaces.LowX : face == 1 ? FluidFaces.HighX : face == 2
+            ? FluidFaces.LowY
             : face == 3 ? FluidFaces.HighY : face == 4 ? FluidFaces.LowZ : FluidFaces.HighZ;
 
         // From within a closed collider the liquid is on the other side of its face.
-        static WallPlace? Triangle(FluidObstacle solid, float reach, Vector3 place, Vector3 forward, ref float best)
+        private static WallPlace? Triangle(FluidObstacle solid, float reach, Vector3 place, Vector3 forward, ref float best)
         {
             WallPlace? found = null;
             TriangleMesh mesh = solid.Mesh;

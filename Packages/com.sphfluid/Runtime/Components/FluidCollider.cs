@@ -5,8 +5,8 @@ namespace SphFluid
 {
     /// <summary>
     /// How a liquid interacts with the colliders of this object and of those below it, where that differs from the simulation's settings.
-    /// Colliders need no such component to act; Skinned Mesh Renderers do, and Wheel Colliders may. The nearest one upwards counts; a disabled one
-    /// leaves them to the simulation's settings.
+    /// Colliders need no such component to act; Skinned Mesh Renderers do, and Wheel Colliders may. The nearest one upwards counts; a
+    /// disabled one leaves them to the simulation's settings.
     /// </summary>
     [AddComponentMenu("SPH Fluid/Fluid Collider")]
     [DisallowMultipleComponent]
@@ -14,29 +14,40 @@ namespace SphFluid
     public sealed class FluidCollider : MonoBehaviour, IColliderSettings, IFluidPart<WallSpec>
     {
         [SerializeField, Tooltip("Use the friction given here. Off: the friction of the simulation's faces.")]
-        bool ownFriction = true;
+        private bool ownFriction = true;
 
-        [SerializeField, Range(0f, 1f), Tooltip("How much these colliders hold the liquid next to them: 0 lets it slip freely, 1 holds it by its own " +
+        [SerializeField, Range(0f, 1f),
+            Tooltip("How much these colliders hold the liquid next to them: 0 lets it slip freely, 1 holds it by its own " +
             "viscosity (no slip). The thesis's method knows the faces' friction only.")]
-        float friction = 1f;
+        private float friction = 1f;
 
-        [SerializeField, Tooltip("The liquid moves the Rigidbody of these colliders, unless it is kinematic. Off: they push the liquid and feel nothing of it. " +
+        [SerializeField,
+            Tooltip(
+                "The liquid moves the Rigidbody of these colliders, unless it is kinematic. Off: they push the liquid and feel nothing " +
+                "of it. " +
             "The thesis's method moves none.")]
-        bool movedByLiquid = true;
+        private bool movedByLiquid = true;
 
-        [SerializeField, Tooltip("The liquid collides with the Skinned Mesh Renderers of this object and of those below it as they are drawn. Each is skinned on the " +
+        [SerializeField,
+            Tooltip(
+                "The liquid collides with the Skinned Mesh Renderers of this object and of those below it as they are drawn. Each is " +
+                "skinned on the " +
             "CPU every frame; take characters of few vertices.")]
-        bool skinnedMeshes;
+        private bool skinnedMeshes;
 
-        [SerializeField, Tooltip("The liquid collides with the Wheel Colliders of this object and of those below it even where Unity's overlap queries do not " +
+        [SerializeField,
+            Tooltip(
+                "The liquid collides with the Wheel Colliders of this object and of those below it even where Unity's overlap queries do " +
+                "not " +
             "report them. It feels nothing back through them.")]
-        bool wheelColliders;
+        private bool wheelColliders;
 
-        [SerializeField, Min(0f), Tooltip("Width of the Wheel Colliders [m], which have none of their own. 0: 0.65 of the radius, as a car's tyre.")]
-        float wheelWidth;
+        [SerializeField, Min(0f),
+            Tooltip("Width of the Wheel Colliders [m], which have none of their own. 0: 0.65 of the radius, as a car's tyre.")]
+        private float wheelWidth;
 
         [SerializeField, Tooltip("Simulations that collide with these colliders. Empty: all that find them.")]
-        List<FluidSimulation> simulations = new List<FluidSimulation>();
+        private List<FluidSimulation> simulations = new List<FluidSimulation>();
 
         /// <summary>Whether <see cref="Friction"/> counts instead of that of the simulation's faces.</summary>
         public bool OwnFriction { get => ownFriction; set => ownFriction = value; }
@@ -47,10 +58,15 @@ namespace SphFluid
         /// <summary>Whether the liquid moves the Rigidbody of these colliders, unless it is kinematic.</summary>
         public bool MovedByLiquid { get => movedByLiquid; set => movedByLiquid = value; }
 
-        /// <summary>Whether the Skinned Mesh Renderers of this object and of those below it are walls, up to 20,000 vertices each.</summary>
+        /// <summary>
+        /// Whether the Skinned Mesh Renderers of this object and of those below it are walls, up to 20,000 vertices each.
+        /// </summary>
         public bool SkinnedMeshes { get => skinnedMeshes; set => skinnedMeshes = value; }
 
-        /// <summary>Whether the Wheel Colliders of this object and of those below it are looked for besides those that Unity's overlap queries report.</summary>
+        /// <summary>
+        /// Whether the Wheel Colliders of this object and of those below it are looked for besides those that Unity's overlap queries
+        /// report.
+        /// </summary>
         public bool WheelColliders { get => wheelColliders; set => wheelColliders = value; }
 
         /// <summary>Width of the Wheel Colliders [m], 0 or more; 0: 0.65 of the radius.</summary>
@@ -70,13 +86,14 @@ namespace SphFluid
         bool IColliderSettings.AppliesTo(Component owner) =>
             owner == null || simulations.Count == 0 || simulations.Contains(owner as FluidSimulation);
 
-        WallSpec IFluidPart<WallSpec>.Spec => new WallSpec { Owner = this, Settings = this, Skins = skinnedMeshes, Wheels = wheelColliders };
+        WallSpec IFluidPart<WallSpec>.Spec =>
+            new WallSpec { Owner = this, Settings = this, Skins = skinnedMeshes, Wheels = wheelColliders };
 
         Component IFluidPart<WallSpec>.Named => null;
 
-        void OnEnable() => FluidParts<WallSpec>.Add(this);
+        private void OnEnable() => FluidParts<WallSpec>.Add(this);
 
-        void OnDisable() => FluidParts<WallSpec>.Remove(this);
+        private void OnDisable() => FluidParts<WallSpec>.Remove(this);
 
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
         internal static void ResetStatics() => FluidParts<WallSpec>.Clear();

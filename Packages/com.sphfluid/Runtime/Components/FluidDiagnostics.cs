@@ -7,7 +7,8 @@ namespace SphFluid
 {
     /// <summary>
     /// Watches the simulation on the same GameObject: measures its liquid every few frames without waiting for the GPU, and names what goes
-    /// wrong with the setting that cures it. Runs in the Editor and in development builds; in release players where <see cref="RunInPlayers"/>
+    /// wrong with the setting that cures it. Runs in the Editor and in development builds; in release players where
+    /// <see cref="RunInPlayers"/>
     /// says so.
     /// </summary>
     [AddComponentMenu("SPH Fluid/Fluid Diagnostics")]
@@ -18,22 +19,22 @@ namespace SphFluid
     public sealed class FluidDiagnostics : MonoBehaviour
     {
         // A GPU that lags further behind is not given more to measure.
-        const int MostUnderWay = 4;
+        private const int MostUnderWay = 4;
 
         [SerializeField, Range(1, 1000), Tooltip("Frames from one measurement to the next. A measurement costs about as much as one step.")]
-        int interval = 10;
+        private int interval = 10;
 
         [SerializeField, Tooltip("Run in release builds too. Off: in the Editor and in development builds only.")]
-        bool runInPlayers;
+        private bool runInPlayers;
 
-        readonly FindingEpisodes episodes = new FindingEpisodes();
-        FluidSimulation simulation;
-        FluidStatisticsMeter meter;
-        FluidDetectors detectors;
-        FluidSolver refused;
-        CommandBuffer commands;
-        int countdown;
-        long colliderChanges;
+        private readonly FindingEpisodes episodes = new FindingEpisodes();
+        private FluidSimulation simulation;
+        private FluidStatisticsMeter meter;
+        private FluidDetectors detectors;
+        private FluidSolver refused;
+        private CommandBuffer commands;
+        private int countdown;
+        private long colliderChanges;
 
         /// <summary>Raised on the main thread with each measurement, after <see cref="Findings"/> was brought up to date.</summary>
         public event Action<FluidStatistics> Measured;
@@ -64,7 +65,7 @@ namespace SphFluid
 
         internal static bool RunsIn(bool editor, bool developmentBuild, bool requested) => editor || developmentBuild || requested;
 
-        void LateUpdate()
+        private void LateUpdate()
         {
             if (simulation == null) TryGetComponent(out simulation);
             FluidSolver solver = simulation != null && Runs ? simulation.Solver : null;
@@ -80,11 +81,11 @@ namespace SphFluid
             Measure();
         }
 
-        void OnDisable() => Forget();
+        private void OnDisable() => Forget();
 
-        void OnDestroy() => commands?.Dispose();
+        private void OnDestroy() => commands?.Dispose();
 
-        void Begin(FluidSolver solver)
+        private void Begin(FluidSolver solver)
         {
             Forget();
             try
@@ -104,7 +105,7 @@ namespace SphFluid
             Publish(IsJudged ? detectors.Check() : Array.Empty<FluidFinding>());
         }
 
-        void Measure()
+        private void Measure()
         {
             // A collider that moved since the last measurement has done work, as force zones do, and liquid that was born brings energy.
             long changes = simulation.Collision.Changes + meter.Solver.BirthCount;
@@ -115,7 +116,7 @@ namespace SphFluid
             colliderChanges = changes;
         }
 
-        void Receive(FluidStatistics statistics, FluidMoment moment)
+        private void Receive(FluidStatistics statistics, FluidMoment moment)
         {
             detectors.Apply(moment.Settings);
             if (moment.WorkDone) detectors.Rebase();
@@ -125,7 +126,7 @@ namespace SphFluid
             Measured?.Invoke(statistics);
         }
 
-        void Publish(IReadOnlyList<FluidFinding> findings)
+        private void Publish(IReadOnlyList<FluidFinding> findings)
         {
             Findings = findings;
             episodes.Begin();
@@ -139,12 +140,12 @@ namespace SphFluid
         }
 
         // What goes wrong is a matter of steps, and a liquid that is played has none.
-        bool IsJudged => !simulation.IsPlayedBack;
+        private bool IsJudged => !simulation.IsPlayedBack;
 
         // True of every thin liquid that the method calms: worth showing, no warning.
-        static bool IsReported(FluidFailure failure) => failure != FluidFailure.NumericalViscosity;
+        private static bool IsReported(FluidFailure failure) => failure != FluidFailure.NumericalViscosity;
 
-        void Forget()
+        private void Forget()
         {
             if (meter == null) return;
             meter.Dispose();

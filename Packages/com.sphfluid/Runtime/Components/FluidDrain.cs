@@ -3,23 +3,30 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>
-    /// A place where liquid leaves: this object's Box, Sphere or Capsule Collider, or without one a box of a size. Make the collider a trigger, or
-    /// the liquid collides with it. Thicker than the liquid goes between two sorts, about half a particle spacing. Methods Standard and Robust.
+    /// A place where liquid leaves: this object's Box, Sphere or Capsule Collider, or without one a box of a size. Make the collider a
+    /// trigger, or the liquid collides with it. Thicker than the liquid goes between two sorts, about half a particle spacing. Methods
+    /// Standard and Robust.
     /// </summary>
     [AddComponentMenu("SPH Fluid/Fluid Drain")]
     [ManualPage("pouring", "drain")]
     public sealed class FluidDrain : MonoBehaviour, IFluidPart<DrainSpec>
     {
-        readonly DrainState state = new DrainState();
+        private readonly DrainState state = new DrainState();
 
-        [SerializeField, Tooltip("Edge lengths of the drain in this transform's space, in metres where its scale is one. Not used where this object has a Box, Sphere or Capsule Collider.")]
-        Vector3 size = new Vector3(0.25f, 0.25f, 0.25f);
+        [SerializeField,
+            Tooltip(
+                "Edge lengths of the drain in this transform's space, in metres where its scale is one. Not used where this object has a " +
+                "Box, Sphere or Capsule Collider.")]
+        private Vector3 size = new Vector3(0.25f, 0.25f, 0.25f);
 
         [SerializeField, Tooltip("Simulation whose liquid leaves. Empty: the simulation among its parents, else the only one " +
             "in the scene, else the one whose domain holds this object.")]
-        FluidSimulation simulation;
+        private FluidSimulation simulation;
 
-        /// <summary>Edge lengths of the box in this transform's space [m at unit scale], where the object has no collider that serves; 0 or more. Without a volume nothing leaves, and a message says so.</summary>
+        /// <summary>
+        /// Edge lengths of the box in this transform's space [m at unit scale], where the object has no collider that serves; 0 or more.
+        /// Without a volume nothing leaves, and a message says so.
+        /// </summary>
         public Vector3 Size { get => Limits.NotNegative(size); set => size = value; }
 
         /// <summary>Simulation whose liquid leaves; null: found as the tooltip says.</summary>
@@ -60,7 +67,7 @@ namespace SphFluid
         }
 
         // As PhysX scales it: the radius by the larger scale across, the height by that along the axis.
-        void SetCapsule(ref DrainSpec spec, CapsuleCollider capsule, Vector3 scale)
+        private void SetCapsule(ref DrainSpec spec, CapsuleCollider capsule, Vector3 scale)
         {
             int axis = capsule.direction;
             float radius = capsule.radius * Mathf.Max(Mathf.Abs(scale[(axis + 1) % 3]), Mathf.Abs(scale[(axis + 2) % 3]));
@@ -70,16 +77,16 @@ namespace SphFluid
             spec.Length = radius > 0f ? half / radius : 0f;
         }
 
-        Matrix4x4 Placed(Vector3 centre, Quaternion turn, Vector3 scale) =>
+        private Matrix4x4 Placed(Vector3 centre, Quaternion turn, Vector3 scale) =>
             Matrix4x4.TRS(transform.TransformPoint(centre), transform.rotation * turn, scale);
 
         DrainSpec IFluidPart<DrainSpec>.Spec => Spec;
 
         Component IFluidPart<DrainSpec>.Named => simulation;
 
-        void OnEnable() => FluidParts<DrainSpec>.Add(this);
+        private void OnEnable() => FluidParts<DrainSpec>.Add(this);
 
-        void OnDisable() => FluidParts<DrainSpec>.Remove(this);
+        private void OnDisable() => FluidParts<DrainSpec>.Remove(this);
 
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
         internal static void ResetStatics() => FluidParts<DrainSpec>.Clear();

@@ -10,42 +10,49 @@ namespace SphFluid
     [ManualPage("pouring", "pour")]
     public sealed class FluidEmitter : MonoBehaviour, IFluidPart<EmitterSpec>
     {
-        readonly EmitterState state = new EmitterState();
+        private readonly EmitterState state = new EmitterState();
 
         [SerializeField, Tooltip("Outline of the nozzle, across this transform's forward axis.")]
-        FluidEmitterShape shape;
+        private FluidEmitterShape shape;
 
-        [SerializeField, Tooltip("Edge lengths of the nozzle along this transform's x and y axes, in metres where its scale is one. Of a line only the first counts, of a mesh none.")]
-        Vector2 size = new Vector2(0.1f, 0.1f);
+        [SerializeField,
+            Tooltip(
+                "Edge lengths of the nozzle along this transform's x and y axes, in metres where its scale is one. Of a line only the " +
+                "first counts, of a mesh none.")]
+        private Vector2 size = new Vector2(0.1f, 0.1f);
 
-        [SerializeField, Tooltip("Mesh of the nozzle, readable: liquid leaves from its front as seen along this transform's forward axis. Shape Mesh only.")]
-        Mesh mesh;
+        [SerializeField,
+            Tooltip(
+                "Mesh of the nozzle, readable: liquid leaves from its front as seen along this transform's forward axis. Shape Mesh only.")]
+        private Mesh mesh;
 
         [SerializeField, Tooltip("Whether the speed at the nozzle is given, or the volume a second.")]
-        FluidEmitterFlow flow;
+        private FluidEmitterFlow flow;
 
         [SerializeField, Min(0f), Tooltip("Speed of the liquid at the nozzle in m/s.")]
-        float speed = 1f;
+        private float speed = 1f;
 
         [SerializeField, Min(0f), Tooltip("Volume that leaves the nozzle a second in m³/s: 0.001 is a litre.")]
-        float volumeRate = 0.001f;
+        private float volumeRate = 0.001f;
 
         [SerializeField, Tooltip("Flow from the moment when the component is enabled.")]
-        bool playOnEnable = true;
+        private bool playOnEnable = true;
 
         [SerializeField, Min(0f), Tooltip("Seconds of the liquid's time after which the flow ends. 0: it goes on.")]
-        float duration;
+        private float duration;
 
-        [SerializeField, Min(0f), Tooltip("Seconds of the liquid's time after which what this emitter gives leaves the liquid again. 0: it stays.")]
-        float lifetime;
+        [SerializeField, Min(0f),
+            Tooltip("Seconds of the liquid's time after which what this emitter gives leaves the liquid again. 0: it stays.")]
+        private float lifetime;
 
-        [SerializeField, Tooltip("The nozzle stands in liquid: a pipe of a support radius keeps the liquid around out, and drives what leaves. " +
+        [SerializeField,
+            Tooltip("The nozzle stands in liquid: a pipe of a support radius keeps the liquid around out, and drives what leaves. " +
             "The pipe is a wall to liquid, a particle spacing thick, and is not drawn. Off: liquid at the nozzle blocks it.")]
-        bool underWater;
+        private bool underWater;
 
         [SerializeField, Tooltip("Simulation that the liquid belongs to. Empty: the simulation among its parents, else the only one " +
             "in the scene, else the one whose domain holds this object.")]
-        FluidSimulation simulation;
+        private FluidSimulation simulation;
 
         /// <summary>Outline of the nozzle.</summary>
         public FluidEmitterShape Shape { get => Limits.Known(shape); set => shape = value; }
@@ -53,7 +60,9 @@ namespace SphFluid
         /// <summary>Edge lengths of the nozzle in this transform's space [m at unit scale].</summary>
         public Vector2 Size { get => size; set => size = value; }
 
-        /// <summary>Mesh of the nozzle, where <see cref="Shape"/> is <see cref="FluidEmitterShape.Mesh"/>, in this transform's space.</summary>
+        /// <summary>
+        /// Mesh of the nozzle, where <see cref="Shape"/> is <see cref="FluidEmitterShape.Mesh"/>, in this transform's space.
+        /// </summary>
         public Mesh Mesh { get => mesh; set => mesh = value; }
 
         /// <summary>What settles the flow: <see cref="Speed"/> or <see cref="VolumeRate"/>.</summary>
@@ -72,14 +81,15 @@ namespace SphFluid
         public float Duration { get => Limits.Clamp(duration, 0f); set => duration = value; }
 
         /// <summary>
-        /// Time after its birth at which a particle leaves the liquid again [s], to the sort of the steps in which it ends; 0: it stays. A change acts on layers
-        /// that are emitted from then on. What left is counted by <see cref="FluidSimulation.RemovedParticles"/>. A liquid with such particles does not sleep.
+        /// Time after its birth at which a particle leaves the liquid again [s], to the sort of the steps in which it ends; 0: it stays. A
+        /// change acts on layers that are emitted from then on. What left is counted by <see cref="FluidSimulation.RemovedParticles"/>. A
+        /// liquid with such particles does not sleep.
         /// </summary>
         public float Lifetime { get => lifetime; set => lifetime = value; }
 
         /// <summary>
-        /// Whether the nozzle stands in liquid. It then has a pipe of its own, about 1.1 support radii long from the nozzle on, closed behind and a wall to liquid, in which
-        /// all moves at the nozzle's speed. Otherwise liquid at the nozzle blocks it.
+        /// Whether the nozzle stands in liquid. It then has a pipe of its own, about 1.1 support radii long from the nozzle on, closed
+        /// behind and a wall to liquid, in which all moves at the nozzle's speed. Otherwise liquid at the nozzle blocks it.
         /// </summary>
         public bool UnderWater { get => underWater; set => underWater = value; }
 
@@ -136,7 +146,10 @@ namespace SphFluid
         public void Play(float volume)
         {
             if (!(volume > 0f) || float.IsInfinity(volume))
-                throw new System.ArgumentOutOfRangeException(nameof(volume), volume, "The volume must be a positive number of cubic metres.");
+            {
+                throw new System.ArgumentOutOfRangeException(nameof(volume), volume,
+                    "The volume must be a positive number of cubic metres.");
+            }
             state.IsOn = true;
             state.VolumeLeft = volume;
             state.TimeLeft = double.PositiveInfinity;
@@ -149,13 +162,13 @@ namespace SphFluid
 
         Component IFluidPart<EmitterSpec>.Named => simulation;
 
-        void OnEnable()
+        private void OnEnable()
         {
             FluidParts<EmitterSpec>.Add(this);
             if (playOnEnable) Play();
         }
 
-        void OnDisable()
+        private void OnDisable()
         {
             FluidParts<EmitterSpec>.Remove(this);
             state.IsOn = false;

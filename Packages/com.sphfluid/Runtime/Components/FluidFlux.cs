@@ -4,29 +4,31 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>
-    /// Volume of liquid that goes through a rectangle about this object along its forward axis, a second and in total. Every particle that crosses between two
-    /// frames counts, so nothing is lost; what goes back is taken off.
+    /// Volume of liquid that goes through a rectangle about this object along its forward axis, a second and in total. Every particle that
+    /// crosses between two frames counts, so nothing is lost; what goes back is taken off.
     /// </summary>
     [AddComponentMenu("SPH Fluid/Fluid Flux")]
     [ManualPage("instruments", "fluid-flux")]
     public sealed class FluidFlux : FluidInstrument
     {
-        readonly TimeMean rates = new TimeMean();
-        readonly FluidReading[] readings = new FluidReading[2];
+        private readonly TimeMean rates = new TimeMean();
+        private readonly FluidReading[] readings = new FluidReading[2];
 
         [SerializeField, Tooltip("Edge lengths of the rectangle along this object's x and y axes, in metres.")]
-        Vector2 size = new Vector2(0.2f, 0.2f);
+        private Vector2 size = new Vector2(0.2f, 0.2f);
 
-        FluidQuery query;
-        long answer;
-        int counted; // at the answer before
-        double countedTime;
-        bool hasCount;
+        private FluidQuery query;
+        private long answer;
+        private int counted; // at the answer before
+        private double countedTime;
+        private bool hasCount;
 
         /// <summary>Edge lengths of the rectangle along this object's x and y axes [m], positive.</summary>
         public Vector2 Size { get => size; set => size = value; }
 
-        /// <summary>Mean volume a second along the forward axis [m³/s]. A particle is a spacing cubed of volume, so a short mean trembles.</summary>
+        /// <summary>
+        /// Mean volume a second along the forward axis [m³/s]. A particle is a spacing cubed of volume, so a short mean trembles.
+        /// </summary>
         public float Rate => Value;
 
         /// <summary>Volume since the first reading, along the forward axis [m³].</summary>
@@ -66,9 +68,12 @@ namespace SphFluid
             }
             if (query.Equals(default)) query = all.AddPatch(transform.position, size, transform.rotation);
             else all.Move(query, transform.position, size, transform.rotation);
-            Vector3 place = DomainSpace.FromWorld(liquid.transform.position, liquid.transform.rotation).MultiplyPoint3x4(transform.position);
-            return DomainSpace.Holds(place, liquid.DomainSize + new Vector3(size.magnitude, size.magnitude, size.magnitude)) ? (FluidMessage?)null
-                : Warn($"It is outside of the domain of '{liquid.name}', where there is no liquid.", "Move it into the domain, or assign another Simulation.");
+            Vector3 place = DomainSpace.FromWorld(liquid.transform.position, liquid.transform.rotation)
+                .MultiplyPoint3x4(transform.position);
+            return DomainSpace.Holds(place, liquid.DomainSize + new Vector3(size.magnitude, size.magnitude, size.magnitude))
+                ? (FluidMessage?)null
+                : Warn($"It is outside of the domain of '{liquid.name}', where there is no liquid.",
+                    "Move it into the domain, or assign another Simulation.");
         }
 
         private protected override double Measure(FluidSimulation liquid)

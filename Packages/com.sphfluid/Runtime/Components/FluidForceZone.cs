@@ -4,43 +4,54 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>
-    /// A part of space in which liquid is pushed or dragged, whatever else acts on it. The force rises from the zone's surface inwards over one
-    /// support radius, as a step in force would make sound: a zone thinner than two never has its full strength. Methods Standard and Robust.
+    /// A part of space in which liquid is pushed or dragged, whatever else acts on it. The force rises from the zone's surface inwards over
+    /// one support radius, as a step in force would make sound: a zone thinner than two never has its full strength. Methods Standard and
+    /// Robust.
     /// </summary>
     [AddComponentMenu("SPH Fluid/Fluid Force Zone")]
     [ManualPage("force-zones")]
     public sealed class FluidForceZone : MonoBehaviour, IFluidPart<ZoneSpec>
     {
-        readonly ZoneState state = new ZoneState();
+        private readonly ZoneState state = new ZoneState();
 
-        [SerializeField, Tooltip("Directional: along this transform's forward axis. Point: towards its centre. Vortex: round its y axis. Wind: drag towards a " +
+        [SerializeField,
+            Tooltip(
+                "Directional: along this transform's forward axis. Point: towards its centre. Vortex: round its y axis. Wind: drag " +
+                "towards a " +
             "velocity along the forward axis. Turbulence: eddies. Damping: drag towards rest.")]
-        FluidForceKind kind;
+        private FluidForceKind kind;
 
-        [SerializeField, Tooltip("Shape of the zone in this transform's space. Collider: this object's Box, Sphere or Capsule Collider; make it a trigger, or liquid collides with it.")]
-        FluidZoneShape shape;
+        [SerializeField,
+            Tooltip(
+                "Shape of the zone in this transform's space. Collider: this object's Box, Sphere or Capsule Collider; make it a " +
+                "trigger, or liquid collides with it.")]
+        private FluidZoneShape shape;
 
-        [SerializeField, Tooltip("Edge lengths of the zone in this transform's space, in metres where its scale is one. A sphere has the diameter x, a capsule the " +
+        [SerializeField,
+            Tooltip(
+                "Edge lengths of the zone in this transform's space, in metres where its scale is one. A sphere has the diameter x, a " +
+                "capsule the " +
             "diameter x and the height y. Not used where the shape is the collider's.")]
-        Vector3 size = new Vector3(0.5f, 0.5f, 0.5f);
+        private Vector3 size = new Vector3(0.5f, 0.5f, 0.5f);
 
-        [SerializeField, Tooltip("Acceleration in m/s²; gravity is 9.81. Of turbulence the largest along an axis. Not used by Wind and Damping.")]
-        float strength = 10f;
+        [SerializeField,
+            Tooltip("Acceleration in m/s²; gravity is 9.81. Of turbulence the largest along an axis. Not used by Wind and Damping.")]
+        private float strength = 10f;
 
         [SerializeField, Tooltip("Speed of the wind in m/s.")]
-        float windSpeed = 5f;
+        private float windSpeed = 5f;
 
         [SerializeField, Min(0f), Tooltip("Part of the difference of velocities that Wind and Damping take away a second, 1/s.")]
-        float dragRate = 2f;
+        private float dragRate = 2f;
 
         [SerializeField, Min(0f), Tooltip("Size of an eddy of turbulence in metres.")]
-        float eddySize = 0.2f;
+        private float eddySize = 0.2f;
 
         [SerializeField, Min(0f), Tooltip("Seconds after which eddies have become others. 0: they stay.")]
-        float eddyTime = 2f;
+        private float eddyTime = 2f;
 
         [SerializeField, Tooltip("Simulation whose liquid is pushed. Empty: every liquid that the zone reaches.")]
-        FluidSimulation simulation;
+        private FluidSimulation simulation;
 
         /// <summary>What the zone does. Changes of all fields act from the next frame on.</summary>
         public FluidForceKind Kind { get => Limits.Known(kind); set => kind = value; }
@@ -96,8 +107,9 @@ namespace SphFluid
             }
         }
 
-        // As PhysX scales them: a sphere by the largest scale, a capsule's radius by the larger scale across, its height by that along its axis.
-        void TakeCollider(ref ZoneSpec spec, Vector3 scale)
+        // As PhysX scales them: a sphere by the largest scale, a capsule's radius by the larger scale across, its height by that along its
+        // axis.
+        private void TakeCollider(ref ZoneSpec spec, Vector3 scale)
         {
             TryGetComponent(out Collider collider);
             scale = new Vector3(Mathf.Abs(scale.x), Mathf.Abs(scale.y), Mathf.Abs(scale.z));
@@ -119,18 +131,26 @@ namespace SphFluid
                     spec.Shape = FluidZoneShape.Capsule;
                     spec.Position = transform.TransformPoint(capsule.center);
                     spec.Size = new Vector3(diameter, Mathf.Max(diameter, capsule.height * scale[axis]), diameter);
-                    spec.ShapeTurn = axis == 0 ? Quaternion.Euler(0f, 0f, 90f) : axis == 2 ? Quaternion.Euler(90f, 0f, 0f) : Quaternion.identity;
+                    spec.ShapeTurn = axis == 0 ? Quaternion.Euler(0f, 0f, 90f) : axis == 2 ? Quaternion.Euler(90f, 0f, 0f)
+                        : Quaternion.identity;
                     break;
             }
         }
 
-        /// <summary>Gives the liquid in the zone a velocity, besides the one that it has, over the next frame with steps: an explosion, a blow. Full in the middle of the zone, less within a support radius of its surface.</summary>
+        /// <summary>
+        /// Gives the liquid in the zone a velocity, besides the one that it has, over the next frame with steps: an explosion, a blow. Full
+        /// in the middle of the zone, less within a support radius of its surface.
+        /// </summary>
         /// <param name="deltaVelocity">The velocity [m/s], world space; those of several calls add up.</param>
-        /// <exception cref="ArgumentException">It is not finite, or more than a fifth of the speed of sound of a liquid that runs and that the zone acts on.</exception>
+        /// <exception cref="ArgumentException">It is not finite, or more than a fifth of the speed of sound of a liquid that runs and that
+        /// the zone acts on.</exception>
         public void Burst(Vector3 deltaVelocity)
         {
             Vector3 sum = state.Burst + deltaVelocity;
-            if (!AffineMath.IsFinite(sum)) throw new ArgumentException($"The velocity {deltaVelocity} is not finite.", nameof(deltaVelocity));
+            if (!AffineMath.IsFinite(sum))
+            {
+                throw new ArgumentException($"The velocity {deltaVelocity} is not finite.", nameof(deltaVelocity));
+            }
             foreach (FluidSimulation liquid in FluidSimulation.Active)
             {
                 if (!liquid.IsRunning || simulation != null && simulation != liquid) continue;
@@ -143,9 +163,9 @@ namespace SphFluid
 
         Component IFluidPart<ZoneSpec>.Named => simulation;
 
-        void OnEnable() => FluidParts<ZoneSpec>.Add(this);
+        private void OnEnable() => FluidParts<ZoneSpec>.Add(this);
 
-        void OnDisable()
+        private void OnDisable()
         {
             FluidParts<ZoneSpec>.Remove(this);
             state.Burst = Vector3.zero;

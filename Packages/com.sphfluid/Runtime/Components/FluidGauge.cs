@@ -4,26 +4,29 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>
-    /// Height of a liquid along a line from this object's place along its up axis, as a wave gauge reads it: that of the surface of the lowest liquid on
-    /// the line, where the density is half the rest density.
+    /// Height of a liquid along a line from this object's place along its up axis, as a wave gauge reads it: that of the surface of the
+    /// lowest liquid on the line, where the density is half the rest density.
     /// </summary>
     [AddComponentMenu("SPH Fluid/Fluid Gauge")]
     [ManualPage("instruments", "fluid-gauge")]
     public sealed class FluidGauge : FluidInstrument
     {
-        readonly LineReading reading = new LineReading();
-        readonly TimeMean heights = new TimeMean();
-        readonly FluidReading[] readings = new FluidReading[1];
+        private readonly LineReading reading = new LineReading();
+        private readonly TimeMean heights = new TimeMean();
+        private readonly FluidReading[] readings = new FluidReading[1];
 
         [SerializeField, Min(0f), Tooltip("How far above this object, along its up axis, the surface is looked for, in metres.")]
-        float length = 1f;
+        private float length = 1f;
 
-        long answer;
+        private long answer;
 
         /// <summary>How far above this object, along its up axis, the surface is looked for [m]; 0 or more.</summary>
         public float Length { get => Limits.Clamp(length, 0f); set => length = value; }
 
-        /// <summary>Mean height of the surface over this object along its up axis [m]: 0 without liquid, the line's upper end where liquid reaches it.</summary>
+        /// <summary>
+        /// Mean height of the surface over this object along its up axis [m]: 0 without liquid, the line's upper end where liquid reaches
+        /// it.
+        /// </summary>
         public float Height => Value;
 
         /// <summary>World position of the surface [m]; this object's while there is no reading.</summary>
@@ -55,7 +58,8 @@ namespace SphFluid
             SensorLine line = Line(liquid);
             reading.Place(liquid.Queries, line, transform.position, transform.up);
             return line.Step > 0f ? (FluidMessage?)null
-                : Warn("Its line does not go through the domain, so it reads 0.", "Move this object below the liquid, turn its up axis upwards, or raise Length.");
+                : Warn("Its line does not go through the domain, so it reads 0.",
+                    "Move this object below the liquid, turn its up axis upwards, or raise Length.");
         }
 
         private protected override double Measure(FluidSimulation liquid)
@@ -72,10 +76,11 @@ namespace SphFluid
 
         private protected override void Leave(FluidSimulation liquid) => reading.Remove(liquid.Queries);
 
-        SensorLine Line(FluidSimulation liquid)
+        private SensorLine Line(FluidSimulation liquid)
         {
             Matrix4x4 toSimulation = DomainSpace.FromWorld(liquid.transform.position, liquid.transform.rotation);
-            return SensorLine.Create(toSimulation.MultiplyPoint3x4(transform.position), toSimulation.MultiplyVector(transform.up), Length, liquid.DomainSize,
+            return SensorLine.Create(toSimulation.MultiplyPoint3x4(transform.position), toSimulation.MultiplyVector(transform.up), Length,
+                liquid.DomainSize,
                 liquid.Solver.Settings.Spacing);
         }
     }

@@ -5,24 +5,27 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>
-    /// Reads a liquid without waiting for the GPU, so that what it reads is some frames old: <see cref="FluidProbe"/>, <see cref="FluidGauge"/> and
-    /// <see cref="FluidFlux"/>. Readings begin anew when the liquid starts anew or what is read changes.
+    /// Reads a liquid without waiting for the GPU, so that what it reads is some frames old: <see cref="FluidProbe"/>,
+    /// <see cref="FluidGauge"/> and <see cref="FluidFlux"/>. Readings begin anew when the liquid starts anew or what is read changes.
     /// </summary>
     public abstract class FluidInstrument : MonoBehaviour
     {
-        static readonly List<FluidInstrument> ActiveList = new List<FluidInstrument>();
+        private static readonly List<FluidInstrument> ActiveList = new List<FluidInstrument>();
 
         [SerializeField, Min(0f), Tooltip("The reading is the mean over the last so many simulated seconds. 0: not averaged.")]
-        float averagingTime = 0.1f;
+        private float averagingTime = 0.1f;
 
-        [SerializeField, Tooltip("Simulation that is read. Empty: the simulation among this object's parents, else the only one in the scene, else the one whose domain holds this object.")]
-        FluidSimulation simulation;
+        [SerializeField,
+            Tooltip(
+                "Simulation that is read. Empty: the simulation among this object's parents, else the only one in the scene, else the " +
+                "one whose domain holds this object.")]
+        private FluidSimulation simulation;
 
-        FluidSimulation read; // whose liquid is asked
-        FluidSolver solver;
-        int jumps;
-        FluidMessage? problem;
-        int firstFrame;
+        private FluidSimulation read; // whose liquid is asked
+        private FluidSolver solver;
+        private int jumps;
+        private FluidMessage? problem;
+        private int firstFrame;
 
         private protected FluidInstrument()
         {
@@ -87,23 +90,24 @@ namespace SphFluid
         private protected abstract void Leave(FluidSimulation liquid);
 
         /// <summary>A warning about this instrument.</summary>
-        private protected FluidMessage Warn(string text, string cure) => new FluidMessage(FluidSeverity.Warning, FluidIssue.InstrumentInvalid, this, text, cure);
+        private protected FluidMessage Warn(string text, string cure) =>
+            new FluidMessage(FluidSeverity.Warning, FluidIssue.InstrumentInvalid, this, text, cure);
 
-        void OnEnable()
+        private void OnEnable()
         {
             firstFrame = Time.frameCount;
             ActiveList.Add(this);
         }
 
-        void OnDisable()
+        private void OnDisable()
         {
             ActiveList.Remove(this);
             Begin(null);
         }
 
-        void Update() => Track();
+        private void Update() => Track();
 
-        void Track()
+        private void Track()
         {
             FluidSimulation owner = FluidScene.Owner(this, simulation, FluidSimulation.Active);
             if (owner != read) Begin(owner);
@@ -111,8 +115,11 @@ namespace SphFluid
             {
                 // Simulations of the scene may be enabled after this.
                 if (Time.frameCount > firstFrame + 2)
-                    SetProblem(Warn(FluidSimulation.Active.Count == 0 ? "There is no Fluid Simulation to read." : "It is in none of the scene's Fluid Simulations, so none is read.",
+                {
+                    SetProblem(Warn(FluidSimulation.Active.Count == 0 ? "There is no Fluid Simulation to read."
+                        : "It is in none of the scene's Fluid Simulations, so none is read.",
                         "Assign Simulation, or make this a child of one."));
+                }
                 return;
             }
             if (!read.IsRunning || read.Solver != solver || solver.ParticleChanges != jumps)
@@ -131,7 +138,7 @@ namespace SphFluid
             Received?.Invoke(this);
         }
 
-        void Begin(FluidSimulation owner)
+        private void Begin(FluidSimulation owner)
         {
             if (read is object) Leave(read);
             Clear();
@@ -141,7 +148,7 @@ namespace SphFluid
         }
 
         // Said once.
-        void SetProblem(FluidMessage? now)
+        private void SetProblem(FluidMessage? now)
         {
             if (now.Equals(problem)) return;
             problem = now;
@@ -149,6 +156,6 @@ namespace SphFluid
         }
 
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
-        static void ResetStatics() => ActiveList.Clear();
+        private static void ResetStatics() => ActiveList.Clear();
     }
 }

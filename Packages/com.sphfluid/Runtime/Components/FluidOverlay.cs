@@ -4,8 +4,8 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>
-    /// Shows in the corner of the screen what liquids do, in the Editor and in builds: particles, steps, times of the stages, what limits, messages. Drawn by
-    /// OnGUI, so in every render pipeline. To switch it by a key or a button set <see cref="Visible"/>.
+    /// Shows in the corner of the screen what liquids do, in the Editor and in builds: particles, steps, times of the stages, what limits,
+    /// messages. Drawn by OnGUI, so in every render pipeline. To switch it by a key or a button set <see cref="Visible"/>.
     /// </summary>
     [AddComponentMenu("SPH Fluid/Fluid Overlay")]
     [DisallowMultipleComponent]
@@ -13,34 +13,35 @@ namespace SphFluid
     [ManualPage("diagnostics", "show-figures-on-the-screen")]
     public sealed class FluidOverlay : MonoBehaviour
     {
-        const float Margin = 8f;
+        private const float Margin = 8f;
 
         // The font's size is in pixels of a screen of this height, and grows on taller ones.
-        const float UsualHeight = 1080f;
+        private const float UsualHeight = 1080f;
 
         [SerializeField, Tooltip("Simulation to show. Empty: all that are enabled.")]
-        FluidSimulation simulation;
+        private FluidSimulation simulation;
 
         [SerializeField, Tooltip("Whether it is shown. A script of yours switches it, by a key or a button.")]
-        bool visible = true;
+        private bool visible = true;
 
         [SerializeField, Tooltip("Whether the times of the stages are measured and shown. They are of all liquids together.")]
-        bool stageTimes = true;
+        private bool stageTimes = true;
 
-        [SerializeField, Range(0.5f, 30f), Tooltip("How often the text is written anew, in times a second; figures are means over the time between.")]
-        float refreshRate = 4f;
+        [SerializeField, Range(0.5f, 30f),
+            Tooltip("How often the text is written anew, in times a second; figures are means over the time between.")]
+        private float refreshRate = 4f;
 
         [SerializeField, Range(8, 48), Tooltip("Size of the letters in pixels, on a screen of 1080 lines.")]
-        int fontSize = 14;
+        private int fontSize = 14;
 
         [SerializeField, Tooltip("Corner of the screen that it stands in.")]
-        FluidOverlayCorner corner;
+        private FluidOverlayCorner corner;
 
-        readonly GUIContent content = new GUIContent();
-        OverlayMeter meter;
-        GUIStyle style;
-        Vector2 size;
-        bool measured;
+        private readonly GUIContent content = new GUIContent();
+        private OverlayMeter meter;
+        private GUIStyle style;
+        private Vector2 size;
+        private bool measured;
 
         /// <summary>Simulation that is shown; null: all that are enabled.</summary>
         public FluidSimulation Simulation { get => simulation; set => simulation = value; }
@@ -63,11 +64,11 @@ namespace SphFluid
         /// <summary>The text, for a display of your own: lines parted by '\n'; empty before the first and while not visible.</summary>
         public string Text => content.text;
 
-        void Awake() => useGUILayout = false;
+        private void Awake() => useGUILayout = false;
 
-        void OnDisable() => Forget();
+        private void OnDisable() => Forget();
 
-        void LateUpdate()
+        private void LateUpdate()
         {
             if (!visible)
             {
@@ -80,7 +81,7 @@ namespace SphFluid
             measured = false;
         }
 
-        void OnGUI()
+        private void OnGUI()
         {
             if (!visible || Event.current.type != EventType.Repaint || content.text.Length == 0) return;
             Prepare();
@@ -89,7 +90,7 @@ namespace SphFluid
             GUI.Label(new Rect(place.x + Margin, place.y + Margin, place.width - 2f * Margin, place.height - 2f * Margin), content, style);
         }
 
-        void Prepare()
+        private void Prepare()
         {
             int letters = Mathf.RoundToInt(FontSize * Mathf.Max(1f, Screen.height / UsualHeight));
             if (style == null) style = new GUIStyle { wordWrap = false, richText = false, normal = { textColor = Color.white } };
@@ -102,11 +103,12 @@ namespace SphFluid
         /// <summary>Where a box stands.</summary>
         internal static Rect Place(FluidOverlayCorner corner, Vector2 size, Vector2 screen)
         {
-            float x = (int)corner % 2 == 0 ? Margin : screen.x - size.x - Margin, y = (int)corner / 2 == 0 ? Margin : screen.y - size.y - Margin;
+            float x = (int)corner % 2 == 0 ? Margin : screen.x - size.x - Margin,
+                y = (int)corner / 2 == 0 ? Margin : screen.y - size.y - Margin;
             return new Rect(x, y, size.x, size.y);
         }
 
-        void Forget()
+        private void Forget()
         {
             meter?.Dispose();
             meter = null;

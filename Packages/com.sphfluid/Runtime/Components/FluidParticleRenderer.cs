@@ -4,36 +4,37 @@ using UnityEngine.Serialization;
 namespace SphFluid
 {
     /// <summary>
-    /// Draws the particles of a simulation as textured, lit squares that face the camera. Works on every device that runs the simulation: no
-    /// geometry shader.
+    /// Draws the particles of a simulation as textured, lit squares that face the camera. Works on every device that runs the simulation:
+    /// no geometry shader.
     /// </summary>
     [AddComponentMenu("SPH Fluid/Fluid Particle Renderer")]
     [DefaultExecutionOrder(100)]
     [ManualPage("drawing", "particles")]
     public sealed class FluidParticleRenderer : FluidRenderer
     {
-        [SerializeField, Range(0.1f, 4f), Tooltip("Edge of a particle's square in particle spacings. 1: squares just touch in liquid at rest.")]
-        float size = 1.2f;
+        [SerializeField, Range(0.1f, 4f),
+            Tooltip("Edge of a particle's square in particle spacings. 1: squares just touch in liquid at rest.")]
+        private float size = 1.2f;
 
         [SerializeField, FormerlySerializedAs("colour"), Tooltip("Colour of a particle, or of a slow one if the speed is shown.")]
-        Color color = new Color(0.12f, 0.42f, 0.72f);
+        private Color color = new Color(0.12f, 0.42f, 0.72f);
 
         [SerializeField, FormerlySerializedAs("colourBySpeed"), Tooltip("Whether fast particles take another colour.")]
-        bool colorBySpeed;
+        private bool colorBySpeed;
 
         [SerializeField, FormerlySerializedAs("fastColour"), Tooltip("Colour of the fastest particles, if the speed is shown.")]
-        Color fastColor = new Color(0.85f, 0.95f, 1f);
+        private Color fastColor = new Color(0.85f, 0.95f, 1f);
 
         [SerializeField, Min(0.001f), Tooltip("Speed at which a particle has the fast colour in full [m/s].")]
-        float fastSpeed = 3f;
+        private float fastSpeed = 3f;
 
         [SerializeField, Range(0f, 1f), Tooltip("Smoothness of the particles: how small and bright their highlights are.")]
-        float smoothness = 0.4f;
+        private float smoothness = 0.4f;
 
         [SerializeField, Tooltip("Picture on each square, cut out where its alpha is below a half. Empty: a round one.")]
-        Texture2D sprite;
+        private Texture2D sprite;
 
-        ParticleSquares squares;
+        private ParticleSquares squares;
 
         /// <summary>Edge of a particle's square in particle spacings, 0.1 to 4.</summary>
         public float Size { get => Limits.Clamp(size, 0.1f, 4f); set => size = value; }
@@ -74,7 +75,7 @@ namespace SphFluid
             squares.Draw(solver.Particles, solver.ParticleCount, look, Placement(drawn, look.Size));
         }
 
-        ParticleLook Look(FluidSimulation drawn) => new ParticleLook
+        private ParticleLook Look(FluidSimulation drawn) => new ParticleLook
         {
             Size = Size * drawn.Solver.Settings.Spacing,
             Color = Color,

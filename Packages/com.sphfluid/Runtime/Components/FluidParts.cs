@@ -13,11 +13,13 @@ namespace SphFluid
         Component Named { get; }
     }
 
-    /// <summary>Enabled components of a kind in all loaded scenes, in the order of the hierarchy as of the last that came; asking makes no garbage.</summary>
+    /// <summary>
+    /// Enabled components of a kind in all loaded scenes, in the order of the hierarchy as of the last that came; asking makes no garbage.
+    /// </summary>
     internal static class FluidParts<TSpec>
     {
-        static readonly List<IFluidPart<TSpec>> Parts = new List<IFluidPart<TSpec>>();
-        [OutlivesPlay("of no parts it says nothing")] static bool isSorted = true;
+        private static readonly List<IFluidPart<TSpec>> Parts = new List<IFluidPart<TSpec>>();
+        [OutlivesPlay("of no parts it says nothing")] private static bool isSorted = true;
 
         /// <summary>The components.</summary>
         public static IReadOnlyList<IFluidPart<TSpec>> InOrder

@@ -16,77 +16,94 @@ namespace SphFluid
         /// <summary>Largest value of <see cref="MaxParticles"/>.</summary>
         public const int ParticleLimit = ProfileSpec.ParticleLimit;
 
-        [SerializeField, HideInInspector] int version = CurrentVersion;
+        [SerializeField, HideInInspector] private int version = CurrentVersion;
 
         [Header("Liquid")]
         [SerializeField, Range(1f, 20000f), Tooltip("Rest density of the liquid in kg/m³. Water: 1000.")]
-        float restDensity = 1000f;
+        private float restDensity = 1000f;
 
         [SerializeField, Min(0f), Tooltip("Kinematic viscosity of the liquid in m²/s. Water: 0.000001. " +
             "The greater of this and the Viscosity Ratio's value acts.")]
-        float kinematicViscosity = 1e-6f;
+        private float kinematicViscosity = 1e-6f;
 
-        [SerializeField, Min(0f), Tooltip("Surface tension of the liquid against air in N/m. Water: 0.073. 0: none. It acts where the particle spacing " +
+        [SerializeField, Min(0f),
+            Tooltip("Surface tension of the liquid against air in N/m. Water: 0.073. 0: none. It acts where the particle spacing " +
             "is at most the capillary length, 2.7 mm for water, or with Tension At Any Spacing. Standard method only.")]
-        float surfaceTension;
+        private float surfaceTension;
 
-        [SerializeField, Tooltip("Surface Tension acts however coarse the particles are: for liquid that floats without gravity, where it shapes drops of any size. " +
+        [SerializeField,
+            Tooltip(
+                "Surface Tension acts however coarse the particles are: for liquid that floats without gravity, where it shapes drops of " +
+                "any size. " +
             "It costs two more passes over all neighbours a step. Standard method only.")]
-        bool tensionAtAnySpacing;
+        private bool tensionAtAnySpacing;
 
-        [SerializeField, Range(0f, 180f), Tooltip("Angle in degrees at which the liquid's surface meets walls, measured in the liquid: below 90 it wets them, " +
+        [SerializeField, Range(0f, 180f),
+            Tooltip("Angle in degrees at which the liquid's surface meets walls, measured in the liquid: below 90 it wets them, " +
             "above it draws back from them. Acts with Surface Tension. Standard method only.")]
-        float contactAngle = 90f;
+        private float contactAngle = 90f;
 
         [Header("Accuracy")]
-        [SerializeField, Range(1.5f, 4f), Tooltip("Support radius R divided by the particle spacing. 2 gives about 33 neighbours, 2.25 48, 2.5 65: " +
+        [SerializeField, Range(1.5f, 4f),
+            Tooltip("Support radius R divided by the particle spacing. 2 gives about 33 neighbours, 2.25 48, 2.5 65: " +
             "free motion is more accurate with more, still pools and corners with fewer.")]
-        float supportRatio = 2.25f;
+        private float supportRatio = 2.25f;
 
         [SerializeField, Range(3f, 20f), Tooltip("Speed of sound divided by the fastest expected speed. 5 allows 4 % compression; " +
             "halving the compression needs 1.4 times as many steps.")]
-        float soundSpeedRatio = 5f;
+        private float soundSpeedRatio = 5f;
 
-        [SerializeField, Tooltip("Fixed By Rule: the speed of sound is that of the start. Follows Liquid: it falls once the liquid has come down and is calm, " +
-            "and rises in time when it is lifted or stirred, so that calm liquid takes fewer steps. Standard method; not with a fixed time step.")]
-        FluidSoundSpeedMode soundSpeedMode = FluidSoundSpeedMode.FollowsLiquid;
+        [SerializeField,
+            Tooltip(
+                "Fixed By Rule: the speed of sound is that of the start. Follows Liquid: it falls once the liquid has come down and is " +
+                "calm, " +
+            "and rises in time when it is lifted or stirred, so that calm liquid takes fewer steps. Standard method; not with a fixed " +
+            "time step.")]
+        private FluidSoundSpeedMode soundSpeedMode = FluidSoundSpeedMode.FollowsLiquid;
 
         [SerializeField, Range(0.001f, 0.2f), Tooltip("Compression allowed at the bottom of the liquid at rest, g·depth/c². 0.04 is 4 %.")]
-        float maxCompression = 0.04f;
+        private float maxCompression = 0.04f;
 
-        [SerializeField, Range(0.05f, 1f), Tooltip("Time step as a fraction of the method's stability limit, which the speed of sound sets.")]
-        float timeStepFraction = 0.75f;
+        [SerializeField, Range(0.05f, 1f),
+            Tooltip("Time step as a fraction of the method's stability limit, which the speed of sound sets.")]
+        private float timeStepFraction = 0.75f;
 
-        [SerializeField, Range(1, FluidRuleInput.MostSubsteps), Tooltip("Equal steps that the Robust method cuts each frame into. Twice as many make the liquid four times as stiff, " +
+        [SerializeField, Range(1, FluidRuleInput.MostSubsteps),
+            Tooltip("Equal steps that the Robust method cuts each frame into. Twice as many make the liquid four times as stiff, " +
             "for twice the time. 4 suits liquid that is about 20 particles deep at 60 frames a second.")]
-        int substeps = 4;
+        private int substeps = 4;
 
         [SerializeField, Range(0f, 0.05f), Tooltip("Least kinematic viscosity that keeps the liquid calm, as a multiple of " +
             "speed of sound times support radius. The Standard method takes a tenth of it.")]
-        float viscosityRatio = 0.01f;
+        private float viscosityRatio = 0.01f;
 
         [Header("Walls of the thesis method")]
-        [SerializeField, Range(0.1f, 1f), Tooltip("Distance at which walls and colliders begin to push, as a multiple of the particle spacing.")]
-        float wallDistanceRatio = 0.5f;
+        [SerializeField, Range(0.1f, 1f),
+            Tooltip("Distance at which walls and colliders begin to push, as a multiple of the particle spacing.")]
+        private float wallDistanceRatio = 0.5f;
 
-        [SerializeField, Range(0.05f, 4f), Tooltip("Stiffness of walls and colliders. 1 stops the fastest expected speed within the wall distance; more may need a shorter time step.")]
-        float wallStiffnessRatio = 1f;
+        [SerializeField, Range(0.05f, 4f),
+            Tooltip(
+                "Stiffness of walls and colliders. 1 stops the fastest expected speed within the wall distance; more may need a shorter " +
+                "time step.")]
+        private float wallStiffnessRatio = 1f;
 
         [SerializeField, Range(0f, 1f), Tooltip("Damping of the motion into a wall as a fraction of critical damping. 1: no rebound.")]
-        float wallDampingRatio = 1f;
+        private float wallDampingRatio = 1f;
 
         [Header("Thesis")]
         [SerializeField, Tooltip("What of the thesis's text is corrected. Each can be switched alone to see what the printed form does; " +
             "the method Thesis Printed does not ask, it has all as printed.")]
-        ThesisSwitches thesisSwitches = ThesisSwitches.Corrected;
+        private ThesisSwitches thesisSwitches = ThesisSwitches.Corrected;
 
         [Header("Limits")]
-        [SerializeField, Range(1, ParticleLimit), Tooltip("Most particles that one simulation may start with. More is an error, never a silent cut.")]
-        int maxParticles = 1024 * 1024;
+        [SerializeField, Range(1, ParticleLimit),
+            Tooltip("Most particles that one simulation may start with. More is an error, never a silent cut.")]
+        private int maxParticles = 1024 * 1024;
 
         [Header("References")]
         [SerializeField, Tooltip("Shader set asset: every compute shader and shader that the simulation and its renderers use.")]
-        FluidShaderSet shaders;
+        private FluidShaderSet shaders;
 
         /// <summary>Rest density ρ0 [kg/m³], 1 to 20,000.</summary>
         public float RestDensity { get => restDensity; set { restDensity = value; Touch(); } }
@@ -97,7 +114,9 @@ namespace SphFluid
         /// <summary>Surface tension σ [N/m]; method Standard, 0 to 100.</summary>
         public float SurfaceTension { get => surfaceTension; set { surfaceTension = value; Touch(); } }
 
-        /// <summary>Whether <see cref="SurfaceTension"/> acts however coarse the particles are, not only where they resolve it; method Standard.</summary>
+        /// <summary>
+        /// Whether <see cref="SurfaceTension"/> acts however coarse the particles are, not only where they resolve it; method Standard.
+        /// </summary>
         public bool TensionAtAnySpacing { get => tensionAtAnySpacing; set { tensionAtAnySpacing = value; Touch(); } }
 
         /// <summary>Contact angle at walls [degrees]; method Standard, 0 to 180.</summary>
@@ -166,7 +185,7 @@ namespace SphFluid
             }
         }
 
-        FluidRuleInput Rules
+        private FluidRuleInput Rules
         {
             get
             {
@@ -190,15 +209,15 @@ namespace SphFluid
             }
         }
 
-        void Touch()
+        private void Touch()
         {
             Clamp();
             Revision++;
         }
 
-        void OnValidate() => Touch();
+        private void OnValidate() => Touch();
 
-        void Clamp()
+        private void Clamp()
         {
             restDensity = ClampFinite(restDensity, 1f, 20000f, 1000f);
             kinematicViscosity = ClampFinite(kinematicViscosity, 0f, 10f, 1e-6f);
@@ -219,7 +238,7 @@ namespace SphFluid
             version = CurrentVersion;
         }
 
-        static float ClampFinite(float value, float min, float max, float fallback) =>
+        private static float ClampFinite(float value, float min, float max, float fallback) =>
             float.IsNaN(value) ? fallback : Mathf.Clamp(value, min, max);
     }
 }

@@ -4,15 +4,15 @@ using System.IO;
 namespace SphFluid
 {
     /// <summary>
-    /// Writes a liquid and, from then on, the time of each frame and a hash of the state after it, for <see cref="FluidReplay"/>. Hashes wait for the GPU: for tools and
-    /// tests. What the scene's objects do is the game's to record.
+    /// Writes a liquid and, from then on, the time of each frame and a hash of the state after it, for <see cref="FluidReplay"/>. Hashes
+    /// wait for the GPU: for tools and tests. What the scene's objects do is the game's to record.
     /// </summary>
     public sealed class FluidRecording : IDisposable, IFluidFrames
     {
-        readonly FluidSimulation simulation;
-        readonly Stream stream;
-        FluidFrame now;
-        bool taken;
+        private readonly FluidSimulation simulation;
+        private readonly Stream stream;
+        private FluidFrame now;
+        private bool taken;
 
         /// <summary>Saves the liquid and begins with the next frame; before the liquid's LateUpdate that is the present one.</summary>
         /// <param name="simulation">A liquid that runs and is neither recorded nor replayed.</param>
@@ -60,9 +60,9 @@ namespace SphFluid
             return frame;
         }
 
-        void End(FluidSimulation liquid) => Dispose();
+        private void End(FluidSimulation liquid) => Dispose();
 
-        void Remember(FluidSimulation liquid)
+        private void Remember(FluidSimulation liquid)
         {
             if (!taken) return;
             taken = false;

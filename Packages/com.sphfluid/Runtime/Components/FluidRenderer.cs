@@ -6,10 +6,10 @@ namespace SphFluid
     public abstract class FluidRenderer : FluidView
     {
         [SerializeField, Tooltip("Whether the liquid casts shadows.")]
-        bool castShadows = true;
+        private bool castShadows = true;
 
         [SerializeField, Tooltip("Whether the main directional light's shadows fall on the liquid. Shadows of other lights never do.")]
-        bool receiveShadows = true;
+        private bool receiveShadows = true;
 
         /// <summary>Whether the liquid casts shadows.</summary>
         public bool CastShadows { get => castShadows; set => castShadows = value; }
@@ -35,7 +35,8 @@ namespace SphFluid
         internal DrawPlacement Placement(FluidSimulation drawn, float margin, float waterShadow = 0f)
         {
             FluidSolverSettings settings = drawn.Solver.Settings;
-            var placement = new DrawPlacement(drawn.LocalToWorld, settings.DomainSize, margin, gameObject.layer, castShadows, receiveShadows, settings.Spacing,
+            var placement = new DrawPlacement(drawn.LocalToWorld, settings.DomainSize, margin, gameObject.layer, castShadows,
+                receiveShadows, settings.Spacing,
                 waterShadow);
             if (placement.ReceiveShadows)
                 MainLightShadows.Add(this, drawn.Profile.Shaders);

@@ -5,22 +5,23 @@ using System.Runtime.InteropServices;
 namespace SphFluid
 {
     /// <summary>
-    /// Plays what <see cref="FluidRecording"/> wrote: restores the liquid, gives it the times of the recorded frames in place of the scene's, and compares the state after
-    /// each. The game brings its objects to where they were, before and in each frame.
+    /// Plays what <see cref="FluidRecording"/> wrote: restores the liquid, gives it the times of the recorded frames in place of the
+    /// scene's, and compares the state after each. The game brings its objects to where they were, before and in each frame.
     /// </summary>
     public sealed class FluidReplay : IDisposable, IFluidFrames
     {
-        readonly FluidSimulation simulation;
-        readonly Stream stream;
-        readonly byte[] bytes = new byte[FluidFrame.Size];
-        FluidFrame now;
-        bool taken;
+        private readonly FluidSimulation simulation;
+        private readonly Stream stream;
+        private readonly byte[] bytes = new byte[FluidFrame.Size];
+        private FluidFrame now;
+        private bool taken;
 
         /// <summary>Restores the liquid and begins with the next frame; before the liquid's LateUpdate that is the present one.</summary>
         /// <param name="simulation">A simulation that is neither recorded nor replayed.</param>
         /// <param name="stream">The recording; it stays open.</param>
         /// <exception cref="ArgumentNullException">One is missing.</exception>
-        /// <exception cref="InvalidDataException">The liquid could not be restored; the simulation's messages say why, and it goes on as it was.</exception>
+        /// <exception cref="InvalidDataException">The liquid could not be restored; the simulation's messages say why, and it goes on as it
+        /// was.</exception>
         /// <exception cref="InvalidOperationException">It is recorded or replayed already.</exception>
         public FluidReplay(FluidSimulation simulation, Stream stream)
         {
@@ -41,7 +42,9 @@ namespace SphFluid
         /// <summary>Frames that were played.</summary>
         public int FrameCount { get; private set; }
 
-        /// <summary>Number of the first frame, from 0 on, after which the liquid was another than the recorded one; −1: none so far.</summary>
+        /// <summary>
+        /// Number of the first frame, from 0 on, after which the liquid was another than the recorded one; −1: none so far.
+        /// </summary>
         public int FirstDifference { get; private set; } = -1;
 
         /// <summary>Whether frames are left. After the last one the liquid goes on with the time of the scene.</summary>
@@ -65,7 +68,7 @@ namespace SphFluid
             return IsPlaying ? now : frame;
         }
 
-        void Compare(FluidSimulation liquid)
+        private void Compare(FluidSimulation liquid)
         {
             if (!taken) return;
             taken = false;
@@ -74,9 +77,9 @@ namespace SphFluid
             IsPlaying = ReadFrame();
         }
 
-        void End(FluidSimulation liquid) => Dispose();
+        private void End(FluidSimulation liquid) => Dispose();
 
-        bool ReadFrame()
+        private bool ReadFrame()
         {
             int read = 0;
             while (read < bytes.Length)

@@ -25,7 +25,9 @@ namespace SphFluid
         public static FluidSimulation Owner(FluidVolume volume, IReadOnlyList<FluidSimulation> simulations) =>
             Owner(volume, volume.Simulation, simulations);
 
-        /// <summary>The simulation that a component belongs to, which may name it; null when several could have it and none holds its place.</summary>
+        /// <summary>
+        /// The simulation that a component belongs to, which may name it; null when several could have it and none holds its place.
+        /// </summary>
         public static FluidSimulation Owner(Component component, FluidSimulation named, IReadOnlyList<FluidSimulation> simulations)
         {
             if (named != null) return named;
@@ -73,7 +75,7 @@ namespace SphFluid
         /// <summary>The force zones that act on a simulation, which may share them, in hierarchy order where the scene plays.</summary>
         /// <param name="simulation">The simulation.</param>
         /// <param name="specs">Receives them.</param>
-        static void Shared<TSpec>(FluidSimulation simulation, List<TSpec> specs)
+        private static void Shared<TSpec>(FluidSimulation simulation, List<TSpec> specs)
         {
             specs.Clear();
             IReadOnlyList<IFluidPart<TSpec>> parts = Parts<TSpec>(simulation);
@@ -82,7 +84,7 @@ namespace SphFluid
         }
 
         // In play the enabled ones list themselves, so that a frame makes no garbage.
-        static IReadOnlyList<IFluidPart<TSpec>> Parts<TSpec>(FluidSimulation simulation)
+        private static IReadOnlyList<IFluidPart<TSpec>> Parts<TSpec>(FluidSimulation simulation)
         {
             if (Application.isPlaying) return FluidParts<TSpec>.InOrder;
             var found = new List<IFluidPart<TSpec>>();
@@ -91,7 +93,7 @@ namespace SphFluid
             return found;
         }
 
-        static bool Holds(FluidSimulation simulation, Vector3 world)
+        private static bool Holds(FluidSimulation simulation, Vector3 world)
         {
             Vector3 local = DomainSpace.FromWorld(simulation.transform.position, simulation.transform.rotation).MultiplyPoint3x4(world);
             return DomainSpace.Holds(local, simulation.DomainSize);

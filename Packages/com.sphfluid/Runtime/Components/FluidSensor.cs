@@ -19,43 +19,58 @@ namespace SphFluid
         {
         }
 
-        [SerializeField, Tooltip("What is read. Wetness: 1 within the liquid, 0.5 at its surface, 0 outside. Speed in m/s. Pressure in Pa. Level: height of the surface " +
-            "above this object along its up axis, in metres. Fill Level: part of a box about this object that holds liquid, 0 to 1. Flow: what goes through a rectangle " +
+        [SerializeField,
+            Tooltip(
+                "What is read. Wetness: 1 within the liquid, 0.5 at its surface, 0 outside. Speed in m/s. Pressure in Pa. Level: height " +
+                "of the surface " +
+            "above this object along its up axis, in metres. Fill Level: part of a box about this object that holds liquid, 0 to 1. " +
+            "Flow: what goes through a rectangle " +
             "about this object along its forward axis, in m³/s.")]
-        FluidSensorKind kind = FluidSensorKind.Wetness;
+        private FluidSensorKind kind = FluidSensorKind.Wetness;
 
         [SerializeField, Min(0f), Tooltip("How far above this object, along its up axis, the level is looked for, in metres. Level only.")]
-        float length = 1f;
+        private float length = 1f;
 
-        [SerializeField, Tooltip("Edge lengths of the box along this object's axes, in metres, or of the rectangle along the first two. Fill Level and Flow only.")]
-        Vector3 size = new Vector3(0.2f, 0.2f, 0.2f);
+        [SerializeField,
+            Tooltip(
+                "Edge lengths of the box along this object's axes, in metres, or of the rectangle along the first two. Fill Level and " +
+                "Flow only.")]
+        private Vector3 size = new Vector3(0.2f, 0.2f, 0.2f);
 
-        [SerializeField, Min(0f), Tooltip("Time over which the reading is averaged, in simulated seconds. 0: not at all. Pressure needs about 0.1, Flow about 0.5.")]
-        float averagingTime;
+        [SerializeField, Min(0f),
+            Tooltip(
+                "Time over which the reading is averaged, in simulated seconds. 0: not at all. Pressure needs about 0.1, Flow about 0.5.")]
+        private float averagingTime;
 
         [SerializeField, Tooltip("The events tell when the reading crosses this, in the unit of the reading.")]
-        float threshold = 0.5f;
+        private float threshold = 0.5f;
 
-        [SerializeField, Min(0f), Tooltip("How far the reading has to go from one event to the other, half of it on each side of the threshold, so that one that trembles raises none.")]
-        float hysteresis = 0.2f;
+        [SerializeField, Min(0f),
+            Tooltip(
+                "How far the reading has to go from one event to the other, half of it on each side of the threshold, so that one that " +
+                "trembles raises none.")]
+        private float hysteresis = 0.2f;
 
-        [SerializeField, Tooltip("Simulation that is read. Empty: the simulation among this object's parents, else the only one in the scene, else the one whose domain holds this object.")]
-        FluidSimulation simulation;
+        [SerializeField,
+            Tooltip(
+                "Simulation that is read. Empty: the simulation among this object's parents, else the only one in the scene, else the " +
+                "one whose domain holds this object.")]
+        private FluidSimulation simulation;
 
         [SerializeField, Tooltip("Raised with the reading when it has risen above the threshold. The first reading raises none.")]
-        ReadingEvent roseAbove = new ReadingEvent();
+        private ReadingEvent roseAbove = new ReadingEvent();
 
         [SerializeField, Tooltip("Raised with the reading when it has fallen below the threshold.")]
-        ReadingEvent fellBelow = new ReadingEvent();
+        private ReadingEvent fellBelow = new ReadingEvent();
 
-        FluidQuery shape; // the box or the rectangle
-        double flowed, flowedTime; // at the answer before; NaN: none
-        readonly LineReading reading = new LineReading();
-        SensorSwitch state;
-        FluidSimulation read; // whose queries these are
-        FluidSensorKind known;
-        long answer;
-        double answeredTime;
+        private FluidQuery shape; // the box or the rectangle
+        private double flowed, flowedTime; // at the answer before; NaN: none
+        private readonly LineReading reading = new LineReading();
+        private SensorSwitch state;
+        private FluidSimulation read; // whose queries these are
+        private FluidSensorKind known;
+        private long answer;
+        private double answeredTime;
 
         /// <summary>What is read; a change begins anew.</summary>
         public FluidSensorKind Kind { get => Limits.Known(kind); set => kind = value; }
@@ -64,7 +79,8 @@ namespace SphFluid
         public float Length { get => Limits.Clamp(length, 0f); set => length = value; }
 
         /// <summary>
-        /// Edge lengths of the box of <see cref="FluidSensorKind.FillLevel"/> along this object's axes [m], or of the rectangle of <see cref="FluidSensorKind.Flow"/>
+        /// Edge lengths of the box of <see cref="FluidSensorKind.FillLevel"/> along this object's axes [m], or of the rectangle of
+        /// <see cref="FluidSensorKind.Flow"/>
         /// along the first two, 0 or more; without positive ones there is no reading.
         /// </summary>
         public Vector3 Size { get => Limits.NotNegative(size); set => size = value; }
@@ -75,7 +91,9 @@ namespace SphFluid
         /// <summary>What the events are about, in the unit of the reading. Not a number counts as 0.</summary>
         public float Threshold { get => Limits.Finite(threshold); set => threshold = value; }
 
-        /// <summary>How far the reading has to go from one event to the other, in its unit, 0 or more; half of it on each side of the threshold.</summary>
+        /// <summary>
+        /// How far the reading has to go from one event to the other, in its unit, 0 or more; half of it on each side of the threshold.
+        /// </summary>
         public float Hysteresis { get => Limits.Clamp(hysteresis, 0f); set => hysteresis = value; }
 
         /// <summary>Simulation that is read; null: found as the tooltip says.</summary>
@@ -99,7 +117,7 @@ namespace SphFluid
         /// <summary>Simulated time of the reading [s]; -1 while there is none.</summary>
         public double AnsweredTime => HasValue ? answeredTime : -1.0;
 
-        void Update()
+        private void Update()
         {
             FluidSimulation owner = FluidScene.Owner(this, simulation, FluidSimulation.Active);
             if (owner != read || Kind != known) Begin(owner);
@@ -113,7 +131,10 @@ namespace SphFluid
                 PlaceShape();
                 if (read.Queries.Answer == answer) return;
                 if (read.Queries.TryGetBox(shape, out FluidBoxResult held)) SetReading(held.Fill);
-                if (read.Queries.TryGetPatch(shape, out FluidPatchResult passed)) TakeFlow((double)passed.Particles * passed.ParticleVolume);
+                if (read.Queries.TryGetPatch(shape, out FluidPatchResult passed))
+                {
+                    TakeFlow((double)passed.Particles * passed.ParticleVolume);
+                }
                 return;
             }
             SensorLine line = Line();
@@ -121,9 +142,9 @@ namespace SphFluid
             if (read.Queries.Answer != answer) SetReading(line);
         }
 
-        void OnDisable() => Begin(null);
+        private void OnDisable() => Begin(null);
 
-        bool IsPlaced
+        private bool IsPlaced
         {
             get
             {
@@ -135,7 +156,7 @@ namespace SphFluid
             }
         }
 
-        void Begin(FluidSimulation owner)
+        private void Begin(FluidSimulation owner)
         {
             if (read is object) reading.Remove(read.Queries);
             if (read is object) read.Queries.Remove(shape);
@@ -145,7 +166,7 @@ namespace SphFluid
             Forget();
         }
 
-        void Forget()
+        private void Forget()
         {
             HasValue = false;
             Value = 0f;
@@ -154,15 +175,16 @@ namespace SphFluid
             state.Reset();
         }
 
-        SensorLine Line()
+        private SensorLine Line()
         {
             if (Kind != FluidSensorKind.Level) return SensorLine.Point;
             Matrix4x4 toSimulation = DomainSpace.FromWorld(read.transform.position, read.transform.rotation);
-            return SensorLine.Create(toSimulation.MultiplyPoint3x4(transform.position), toSimulation.MultiplyVector(transform.up), Length, read.DomainSize,
+            return SensorLine.Create(toSimulation.MultiplyPoint3x4(transform.position), toSimulation.MultiplyVector(transform.up), Length,
+                read.DomainSize,
                 read.Solver.Settings.Spacing);
         }
 
-        void PlaceShape()
+        private void PlaceShape()
         {
             FluidQueries all = read.Queries;
             Vector3 place = transform.position;
@@ -173,7 +195,7 @@ namespace SphFluid
             else all.Move(shape, place, (Vector2)Size, turn);
         }
 
-        void TakeFlow(double volume)
+        private void TakeFlow(double volume)
         {
             double time = read.Queries.AnsweredTime, before = flowed, passed = time - flowedTime;
             if (passed <= 0.0 && !double.IsNaN(before)) return;
@@ -181,7 +203,7 @@ namespace SphFluid
             if (!double.IsNaN(before)) SetReading((float)((volume - before) / passed));
         }
 
-        void SetReading(in SensorLine line)
+        private void SetReading(in SensorLine line)
         {
             if (!(reading.Densities(read.Queries, out FluidPointResult point) is IReadOnlyList<float> densities)) return;
             float restDensity = read.Solver.Settings.RestDensity;
@@ -191,7 +213,7 @@ namespace SphFluid
                 : point.Density / restDensity);
         }
 
-        void SetReading(float now)
+        private void SetReading(float now)
         {
             FluidQueries all = read.Queries;
             double passed = Math.Max(0.0, all.AnsweredTime - answeredTime);

@@ -15,18 +15,18 @@ namespace SphFluid
     [ManualPage("getting-started", "choose-the-size")]
     public sealed class FluidSimulation : FluidSimulationSettings
     {
-        static readonly List<FluidSimulation> ActiveList = new List<FluidSimulation>();
+        private static readonly List<FluidSimulation> ActiveList = new List<FluidSimulation>();
 
-        readonly SceneParts parts = new SceneParts();
-        readonly VolumeWatch volumeWatch = new VolumeWatch();
-        readonly AutomaticMethod automatic = new AutomaticMethod();
-        readonly StepTiming timing = new StepTiming();
-        readonly FrameFeed frames = new FrameFeed();
-        readonly FailedStart failed = new FailedStart();
-        readonly FluidMessageLog messages = new FluidMessageLog();
-        FluidRun run;
-        FluidQueries queries;
-        bool requested;
+        private readonly SceneParts parts = new SceneParts();
+        private readonly VolumeWatch volumeWatch = new VolumeWatch();
+        private readonly AutomaticMethod automatic = new AutomaticMethod();
+        private readonly StepTiming timing = new StepTiming();
+        private readonly FrameFeed frames = new FrameFeed();
+        private readonly FailedStart failed = new FailedStart();
+        private readonly FluidMessageLog messages = new FluidMessageLog();
+        private FluidRun run;
+        private FluidQueries queries;
+        private bool requested;
 
         /// <summary>Raised after a start or a new start.</summary>
         public event Action<FluidSimulation> Started;
@@ -35,15 +35,18 @@ namespace SphFluid
         public event Action<FluidSimulation> Stopped;
 
         /// <summary>
-        /// Raised in LateUpdate of every frame in which the liquid runs, after its steps were given to the GPU and before it is drawn: the place for kernels of
-        /// yours that read <see cref="TryGetBuffers"/>. Also raised while it is paused or asleep; <see cref="StepCount"/> tells whether it took steps.
+        /// Raised in LateUpdate of every frame in which the liquid runs, after its steps were given to the GPU and before it is drawn: the
+        /// place for kernels of yours that read <see cref="TryGetBuffers"/>. Also raised while it is paused or asleep;
+        /// <see cref="StepCount"/> tells whether it took steps.
         /// </summary>
         public event Action<FluidSimulation> Updated;
 
         /// <summary>Raised for each new message, after it was written to the console.</summary>
         public event Action<FluidMessage> Reported;
 
-        /// <summary>Watches starts that take long, and may end them; null: the Editor's progress bar, in builds nobody. Each play begins with null.</summary>
+        /// <summary>
+        /// Watches starts that take long, and may end them; null: the Editor's progress bar, in builds nobody. Each play begins with null.
+        /// </summary>
         public static IFluidStartWatcher StartWatcher { get; set; }
 
         /// <summary>Watches where nothing else does.</summary>
@@ -53,12 +56,14 @@ namespace SphFluid
         public static IReadOnlyList<FluidSimulation> Active => ActiveList;
 
         /// <summary>
-        /// The method in use: <see cref="FluidSimulationSettings.Method"/>, or what Automatic has picked. Before the first start with Automatic it is the first
-        /// method that runs on this device.
+        /// The method in use: <see cref="FluidSimulationSettings.Method"/>, or what Automatic has picked. Before the first start with
+        /// Automatic it is the first method that runs on this device.
         /// </summary>
         public FluidMethodKind ActiveMethod => OwnSpec.Method;
 
-        /// <summary>What Automatic has picked, why, and what else it considered; null with another method, and before the first start.</summary>
+        /// <summary>
+        /// What Automatic has picked, why, and what else it considered; null with another method, and before the first start.
+        /// </summary>
         public FluidMethodChoice MethodChoice => FluidMethods.IsChosen(Method) ? automatic.Choice : null;
 
         /// <summary>The solver; null when stopped. A new start makes a new one.</summary>
@@ -68,21 +73,25 @@ namespace SphFluid
         public bool IsRunning => run != null;
 
         /// <summary>
-        /// Whether the liquid is played back by an <see cref="IFluidPlaybackSource"/> and not simulated. Volumes, emitters, drains, force zones and floating bodies do nothing
-        /// meanwhile.
+        /// Whether the liquid is played back by an <see cref="IFluidPlaybackSource"/> and not simulated. Volumes, emitters, drains, force
+        /// zones and floating bodies do nothing meanwhile.
         /// </summary>
         public bool IsPlayedBack => run != null && parts.Playback != null;
 
         /// <summary>
-        /// Whether the liquid rests and takes no steps. It wakes in the frame in which a collider in its domain comes, goes, moves or changes, the
-        /// transform or a setting changes, or particles are given to the <see cref="Solver"/>. A script that moves particles on the GPU calls <see cref="Wake"/>.
+        /// Whether the liquid rests and takes no steps. It wakes in the frame in which a collider in its domain comes, goes, moves or
+        /// changes, the transform or a setting changes, or particles are given to the <see cref="Solver"/>. A script that moves particles
+        /// on the GPU calls <see cref="Wake"/>.
         /// </summary>
         public bool IsAsleep => run != null && run.IsAsleep;
 
         /// <summary>Number of particles, as of a few frames ago where some are emitted or leave; 0 when stopped.</summary>
         public int ParticleCount => (int)(run?.Solver.LiveCount ?? 0);
 
-        /// <summary>Particles that have left since the start, as of a few frames ago: through an open face (<see cref="FluidBoundaries.Open"/>), by a drain, or recycled.</summary>
+        /// <summary>
+        /// Particles that have left since the start, as of a few frames ago: through an open face (<see cref="FluidBoundaries.Open"/>), by
+        /// a drain, or recycled.
+        /// </summary>
         public long RemovedParticles => run?.Solver.Counters.Removed ?? 0;
 
         /// <summary>Time since the start [s], as far as the liquid has come; goes on while it is asleep.</summary>
@@ -115,15 +124,17 @@ namespace SphFluid
         /// <summary>What the liquid collides with now, as triangles in simulation space; empty when stopped.</summary>
         public IReadOnlyList<FluidObstacle> Obstacles => run?.Collision.Solids ?? Array.Empty<FluidObstacle>();
 
-        /// <summary>Most particles that the liquid may have: Max Particles of the profile, or fewer where this device's buffers hold fewer.</summary>
+        /// <summary>
+        /// Most particles that the liquid may have: Max Particles of the profile, or fewer where this device's buffers hold fewer.
+        /// </summary>
         public long ParticleLimit => LiquidChecks.MostParticles(Spec, out _);
 
         /// <summary>Questions to the liquid that are answered without waiting for the GPU.</summary>
         public FluidQueries Queries => queries ??= new FluidQueries(this, Report);
 
         /// <summary>
-        /// Time that the graphics device takes for the steps of a frame [ms]: the mean over the last 60 frames with steps, between <see cref="BeginTiming"/> and
-        /// <see cref="EndTiming"/>. 0 before there is one, and where the device reports no times.
+        /// Time that the graphics device takes for the steps of a frame [ms]: the mean over the last 60 frames with steps, between
+        /// <see cref="BeginTiming"/> and <see cref="EndTiming"/>. 0 before there is one, and where the device reports no times.
         /// </summary>
         public double StepMilliseconds => Timer?.MillisecondsAFrame ?? 0.0;
 
@@ -146,9 +157,12 @@ namespace SphFluid
             }
         }
 
-        FluidSpec OwnSpec => parts.Playback == null ? automatic.Resolve(parts.AddedTo(SettingsSpec)) : PlayedLiquid.Of(parts.AddedTo(SettingsSpec), parts.Playback);
+        private FluidSpec OwnSpec => parts.Playback == null ? automatic.Resolve(parts.AddedTo(SettingsSpec))
+            : PlayedLiquid.Of(parts.AddedTo(SettingsSpec), parts.Playback);
 
-        /// <summary>Begins to time the steps on the graphics device, for two timestamps a frame. Each call needs an <see cref="EndTiming"/>.</summary>
+        /// <summary>
+        /// Begins to time the steps on the graphics device, for two timestamps a frame. Each call needs an <see cref="EndTiming"/>.
+        /// </summary>
         public void BeginTiming() => timing.Begin();
 
         /// <summary>Ends what <see cref="BeginTiming"/> began.</summary>
@@ -181,8 +195,9 @@ namespace SphFluid
         public bool ResetSimulation() => StartSimulation();
 
         /// <summary>
-        /// Writes the running liquid: its particles, its time, what emitters, drains and the bodies in it have under way. Waits for the GPU. Where the scene's
-        /// objects are is the game's to save. The liquid goes on as one does that is restored from the save, equal to the bit on the same device and driver.
+        /// Writes the running liquid: its particles, its time, what emitters, drains and the bodies in it have under way. Waits for the
+        /// GPU. Where the scene's objects are is the game's to save. The liquid goes on as one does that is restored from the save, equal
+        /// to the bit on the same device and driver.
         /// </summary>
         /// <param name="stream">Receives the save; about 28 bytes a particle.</param>
         /// <exception cref="ArgumentNullException">There is no stream.</exception>
@@ -194,8 +209,8 @@ namespace SphFluid
         }
 
         /// <summary>
-        /// Puts a saved liquid in the place of the present one, running or not. Bring the scene's objects to where they were first. Whatever is wrong with the
-        /// save is reported, and the liquid goes on as it was.
+        /// Puts a saved liquid in the place of the present one, running or not. Bring the scene's objects to where they were first.
+        /// Whatever is wrong with the save is reported, and the liquid goes on as it was.
         /// </summary>
         /// <param name="stream">At the beginning of what <see cref="Save"/> wrote; read as far as that goes.</param>
         /// <returns>Whether it was restored; if not, the messages say why.</returns>
@@ -204,7 +219,8 @@ namespace SphFluid
         {
             if (stream == null) throw new ArgumentNullException(nameof(stream));
             List<FluidMessage> before = messages.Clear();
-            FluidRun restored = FluidReports.MayStart(this, Report) && FluidReports.MayRestore(Spec, Report) ? FluidRestore.TryMake(Spec, stream, Report) : null;
+            FluidRun restored = FluidReports.MayStart(this, Report) && FluidReports.MayRestore(Spec, Report)
+                ? FluidRestore.TryMake(Spec, stream, Report) : null;
             if (restored == null)
             {
                 messages.PutBack(before);
@@ -216,8 +232,8 @@ namespace SphFluid
         }
 
         /// <summary>
-        /// A number that two liquids share whose particles, and whose bodies that the liquid moves, are equal to the bit; else hardly ever. Waits for the GPU; for
-        /// tools and tests.
+        /// A number that two liquids share whose particles, and whose bodies that the liquid moves, are equal to the bit; else hardly ever.
+        /// Waits for the GPU; for tools and tests.
         /// </summary>
         /// <returns>FNV-1a, 64 bits, of the particles by number and the bodies.</returns>
         /// <exception cref="InvalidOperationException">The liquid does not run.</exception>
@@ -227,27 +243,35 @@ namespace SphFluid
         public void Wake() => run?.Wake();
 
         /// <summary>
-        /// With the method Automatic: chooses again, by what steps cost in play as far as that was measured. Where another method is picked, the liquid starts
-        /// again; else it goes on. A stopped liquid starts.
+        /// With the method Automatic: chooses again, by what steps cost in play as far as that was measured. Where another method is
+        /// picked, the liquid starts again; else it goes on. A stopped liquid starts.
         /// </summary>
         /// <returns>Whether it runs.</returns>
         /// <exception cref="InvalidOperationException">The method is not Automatic.</exception>
         public bool ChooseMethodAgain()
         {
-            if (!FluidMethods.IsChosen(Method)) throw new InvalidOperationException($"The method of '{name}' is {Method}: there is nothing to choose. Set Method to Automatic.");
+            if (!FluidMethods.IsChosen(Method))
+            {
+                throw new InvalidOperationException(
+                    $"The method of '{name}' is {Method}: there is nothing to choose. Set Method to Automatic.");
+            }
             if (run == null || IsPlayedBack) return StartSimulation();
             automatic.ChooseAgain(Spec, run, true, Report);
             return run.Key.Equals(FluidStartKey.Create(Spec)) || StartSimulation();
         }
 
-        /// <summary>Adds the liquid of a box to the running liquid, where there is a place for it: not in colliders, and not where liquid is.</summary>
+        /// <summary>
+        /// Adds the liquid of a box to the running liquid, where there is a place for it: not in colliders, and not where liquid is.
+        /// </summary>
         /// <param name="centre">World position [m].</param>
         /// <param name="size">Edge lengths [m].</param>
         /// <param name="rotation">World rotation.</param>
         /// <param name="velocity">World velocity [m/s].</param>
-        /// <returns>Number of particles that are tried with the next steps; <see cref="FluidCounters.Blocked"/> counts those that find no place.</returns>
+        /// <returns>Number of particles that are tried with the next steps; <see cref="FluidCounters.Blocked"/> counts those that find no
+        /// place.</returns>
         /// <exception cref="ArgumentException">A number is not finite, or an edge length is not positive.</exception>
-        /// <exception cref="InvalidOperationException">The liquid does not run or is played back, or its method has a fixed number of particles.</exception>
+        /// <exception cref="InvalidOperationException">The liquid does not run or is played back, or its method has a fixed number of
+        /// particles.</exception>
         public int AddLiquid(Vector3 centre, Vector3 size, Quaternion rotation, Vector3 velocity = default)
         {
             Require.Size(size, nameof(size));
@@ -256,11 +280,16 @@ namespace SphFluid
             return ExchangingRun().AddLiquid(Spec, Matrix4x4.TRS(centre, rotation, size), velocity);
         }
 
-        /// <summary>Adds the liquid of a volume to the running liquid, where there is a place for it: not in colliders, and not where liquid is.</summary>
-        /// <param name="volume">A volume, enabled or not. One that is enabled while the liquid runs adds its liquid by itself, unless this did before.</param>
-        /// <returns>Number of particles that are tried with the next steps; <see cref="FluidCounters.Blocked"/> counts those that find no place.</returns>
+        /// <summary>
+        /// Adds the liquid of a volume to the running liquid, where there is a place for it: not in colliders, and not where liquid is.
+        /// </summary>
+        /// <param name="volume">A volume, enabled or not. One that is enabled while the liquid runs adds its liquid by itself, unless this
+        /// did before.</param>
+        /// <returns>Number of particles that are tried with the next steps; <see cref="FluidCounters.Blocked"/> counts those that find no
+        /// place.</returns>
         /// <exception cref="ArgumentNullException">There is no volume.</exception>
-        /// <exception cref="InvalidOperationException">The liquid does not run or is played back, its method has a fixed number of particles, or the volume cannot be filled.</exception>
+        /// <exception cref="InvalidOperationException">The liquid does not run or is played back, its method has a fixed number of
+        /// particles, or the volume cannot be filled.</exception>
         public int AddLiquid(FluidVolume volume)
         {
             if (volume == null) throw new ArgumentNullException(nameof(volume));
@@ -268,14 +297,16 @@ namespace SphFluid
         }
 
         /// <summary>What a volume is besides what it has filled; null where that is the same, or the liquid does not run.</summary>
-        internal FluidMessage? DifferenceOf(FluidVolume volume) => run == null || IsPlayedBack ? null : volumeWatch.Difference(OwnSpec, volume.Spec, volume.isActiveAndEnabled);
+        internal FluidMessage? DifferenceOf(FluidVolume volume) => run == null ||
+            IsPlayedBack ? null : volumeWatch.Difference(OwnSpec, volume.Spec, volume.isActiveAndEnabled);
 
         /// <summary>Removes the liquid in a box with the next steps.</summary>
         /// <param name="centre">World position [m].</param>
         /// <param name="size">Edge lengths [m].</param>
         /// <param name="rotation">World rotation.</param>
         /// <exception cref="ArgumentException">A number is not finite, or an edge length is not positive.</exception>
-        /// <exception cref="InvalidOperationException">The liquid does not run or is played back, or its method has a fixed number of particles.</exception>
+        /// <exception cref="InvalidOperationException">The liquid does not run or is played back, or its method has a fixed number of
+        /// particles.</exception>
         public void RemoveLiquid(Vector3 centre, Vector3 size, Quaternion rotation)
         {
             Require.Size(size, nameof(size));
@@ -287,32 +318,45 @@ namespace SphFluid
         /// <param name="centre">World position [m].</param>
         /// <param name="radius">Radius [m].</param>
         /// <exception cref="ArgumentException">A number is not finite, or the radius is not positive.</exception>
-        /// <exception cref="InvalidOperationException">The liquid does not run or is played back, or its method has a fixed number of particles.</exception>
+        /// <exception cref="InvalidOperationException">The liquid does not run or is played back, or its method has a fixed number of
+        /// particles.</exception>
         public void RemoveLiquid(Vector3 centre, float radius)
         {
             Require.Finite(centre, nameof(centre));
             Require.Positive(radius, nameof(radius));
-            ExchangingRun().Flows.Remove(DrainZone.Capsule(OwnSpec.WorldToLocal * Matrix4x4.TRS(centre, Quaternion.identity, radius * Vector3.one), 0f));
+            ExchangingRun().Flows
+                .Remove(DrainZone.Capsule(OwnSpec.WorldToLocal * Matrix4x4.TRS(centre, Quaternion.identity, radius * Vector3.one), 0f));
         }
 
         /// <summary>
-        /// Gives the liquid in a sphere a velocity, besides the one that it has, over the next frame with steps; less within a support radius of the sphere's surface.
-        /// Force zones, bursts and impulses of a frame are 16 together at most: impulses beyond that are dropped, after the zones and bursts, and a message says so.
+        /// Gives the liquid in a sphere a velocity, besides the one that it has, over the next frame with steps; less within a support
+        /// radius of the sphere's surface. Force zones, bursts and impulses of a frame are 16 together at most: impulses beyond that are
+        /// dropped, after the zones and bursts, and a message says so.
         /// </summary>
         /// <param name="centre">World position [m].</param>
         /// <param name="radius">Radius [m].</param>
-        /// <param name="deltaVelocity">The velocity [m/s], world space; those of several calls add up. Where impulses, explosions and bursts that may reach the same
-        /// liquid add up to more than a fifth of the speed of sound in a frame, they are weakened to that, and a message says so once.</param>
-        /// <exception cref="ArgumentException">A number is not finite, the radius is not positive, the velocity is more than a fifth of the speed of sound, or 16 impulses wait already: this one is not taken.</exception>
-        /// <exception cref="InvalidOperationException">The liquid does not run or is played back, or its method has no force zones.</exception>
-        public void AddImpulse(Vector3 centre, float radius, Vector3 deltaVelocity) => Push(centre, radius, deltaVelocity, 0f, nameof(deltaVelocity));
+        /// <param name="deltaVelocity">The velocity [m/s], world space; those of several calls add up. Where impulses, explosions and
+        /// bursts that may reach the same liquid add up to more than a fifth of the speed of sound in a frame, they are weakened to that,
+        /// and a message says so once.</param>
+        /// <exception cref="ArgumentException">A number is not finite, the radius is not positive, the velocity is more than a fifth of the
+        /// speed of sound, or 16 impulses wait already: this one is not taken.</exception>
+        /// <exception cref="InvalidOperationException">The liquid does not run or is played back, or its method has no force
+        /// zones.</exception>
+        public void AddImpulse(Vector3 centre, float radius, Vector3 deltaVelocity) =>
+            Push(centre, radius, deltaVelocity, 0f, nameof(deltaVelocity));
 
-        /// <summary>Drives the liquid in a sphere apart, over the next frame with steps; less within a support radius of the sphere's surface and of its centre.</summary>
+        /// <summary>
+        /// Drives the liquid in a sphere apart, over the next frame with steps; less within a support radius of the sphere's surface and of
+        /// its centre.
+        /// </summary>
         /// <param name="centre">World position [m].</param>
         /// <param name="radius">Radius [m].</param>
-        /// <param name="speed">Velocity away from the centre, besides the one that the liquid has [m/s]; negative: towards it. It adds up with others as <see cref="AddImpulse"/> says.</param>
-        /// <exception cref="ArgumentException">A number is not finite, the radius is not positive, the speed is more than a fifth of the speed of sound, or 16 impulses wait already: this one is not taken.</exception>
-        /// <exception cref="InvalidOperationException">The liquid does not run or is played back, or its method has no force zones.</exception>
+        /// <param name="speed">Velocity away from the centre, besides the one that the liquid has [m/s]; negative: towards it. It adds up
+        /// with others as <see cref="AddImpulse"/> says.</param>
+        /// <exception cref="ArgumentException">A number is not finite, the radius is not positive, the speed is more than a fifth of the
+        /// speed of sound, or 16 impulses wait already: this one is not taken.</exception>
+        /// <exception cref="InvalidOperationException">The liquid does not run or is played back, or its method has no force
+        /// zones.</exception>
         public void AddExplosion(Vector3 centre, float radius, float speed) => Push(centre, radius, Vector3.zero, speed, nameof(speed));
 
         /// <summary>
@@ -329,11 +373,15 @@ namespace SphFluid
         /// <summary>Reads all collision meshes again, after an edit that left a mesh's counts and bounds as they were.</summary>
         public void RefreshColliders() => run?.InvalidateColliders();
 
-        /// <summary>Checks the settings, the liquid and the colliders, of a prefab asset only the settings; changes nothing and logs nothing.</summary>
+        /// <summary>
+        /// Checks the settings, the liquid and the colliders, of a prefab asset only the settings; changes nothing and logs nothing.
+        /// </summary>
         /// <returns>What is wrong or worth knowing, errors first.</returns>
         public IReadOnlyList<FluidMessage> Validate() => FluidChecks.Preview(Spec, FluidScene.Volumes(this), out FluidSolverSettings? _);
 
-        /// <summary>The liquid on the GPU, for kernels and shaders of yours: as of its last steps, until its next LateUpdate. Ask each frame.</summary>
+        /// <summary>
+        /// The liquid on the GPU, for kernels and shaders of yours: as of its last steps, until its next LateUpdate. Ask each frame.
+        /// </summary>
         /// <param name="buffers">The buffers, to be read only; none where the liquid does not run.</param>
         /// <returns>False while the liquid does not run; <see cref="StatusMessage"/> says why.</returns>
         public bool TryGetBuffers(out FluidBuffers buffers)
@@ -343,7 +391,10 @@ namespace SphFluid
             return run != null;
         }
 
-        /// <summary>Waits for the GPU and reads the particles, in simulation space, sorted by cell, without those that left the domain; for tools and tests.</summary>
+        /// <summary>
+        /// Waits for the GPU and reads the particles, in simulation space, sorted by cell, without those that left the domain; for tools
+        /// and tests.
+        /// </summary>
         /// <param name="particles">Receives the particles.</param>
         /// <returns>False when stopped.</returns>
         public bool TryReadParticles(List<FluidParticle> particles)
@@ -355,7 +406,8 @@ namespace SphFluid
         /// <summary>Spacing at which the liquid volumes hold as near to a number of particles as the lattice allows [m].</summary>
         /// <param name="count">Requested number of particles, 1 or more.</param>
         /// <returns>The spacing; <see cref="FluidSimulationSettings.Spacing"/> is not changed.</returns>
-        /// <exception cref="InvalidOperationException">There is no liquid to measure, or this is a prefab asset, which has none around it.</exception>
+        /// <exception cref="InvalidOperationException">There is no liquid to measure, or this is a prefab asset, which has none around
+        /// it.</exception>
         public float SpacingForParticleCount(int count) => ParticleCountFit.Spacing(Spec, FluidScene.Volumes(this), count);
 
         /// <summary>Lets a recording or a replay see what the liquid is given in each frame.</summary>
@@ -370,31 +422,31 @@ namespace SphFluid
             if (messages.TryAdd(message)) Reported?.Invoke(message);
         }
 
-        void OnEnable()
+        private void OnEnable()
         {
             ActiveList.Add(this);
             requested = PlayOnEnable;
             failed.Forget();
         }
 
-        void OnDisable()
+        private void OnDisable()
         {
             ActiveList.Remove(this);
             Release();
         }
 
-        void OnDestroy()
+        private void OnDestroy()
         {
             queries?.Dispose();
             timing.Dispose();
         }
 
-        void FixedUpdate()
+        private void FixedUpdate()
         {
             if (run != null && run.MovesBodies) run.FixedUpdate(transform.position, transform.rotation, Time.fixedDeltaTime);
         }
 
-        void LateUpdate()
+        private void LateUpdate()
         {
             if (!requested) return;
             if (run != null && Profile != null) automatic.Update(Spec, run, Report);
@@ -410,7 +462,7 @@ namespace SphFluid
             Advance(spec);
         }
 
-        void Advance(in FluidSpec spec)
+        private void Advance(in FluidSpec spec)
         {
             long steps = StepCount, capped = CapHits;
             if (frames.TryAdvance(run, spec, Paused, TimeScale, Report, out FluidMessage failure))
@@ -426,14 +478,14 @@ namespace SphFluid
             failed.Remember(Spec, Sources());
         }
 
-        int Sources()
+        private int Sources()
         {
             FluidScene.Own(this, parts.Volumes);
             return parts.Sources;
         }
 
         // Null: it did not start.
-        bool Begin(FluidRun started)
+        private bool Begin(FluidRun started)
         {
             run = started;
             if (run != null) automatic.Accept(run.Start.Choice, Spec);
@@ -445,7 +497,7 @@ namespace SphFluid
             return run != null;
         }
 
-        void Push(Vector3 centre, float radius, Vector3 velocity, float outward, string argument)
+        private void Push(Vector3 centre, float radius, Vector3 velocity, float outward, string argument)
         {
             Require.Finite(centre, nameof(centre));
             Require.Positive(radius, nameof(radius));
@@ -454,19 +506,28 @@ namespace SphFluid
             pushed.Zones.Push(new ZonePush(centre, radius, velocity, outward), name, argument);
         }
 
-        FluidRun ExchangingRun() => Stepped("no liquid can be added or removed", FluidMethodFeatures.ChangingCount, "a fixed number of particles");
+        private FluidRun ExchangingRun() =>
+            Stepped("no liquid can be added or removed", FluidMethodFeatures.ChangingCount, "a fixed number of particles");
 
-        FluidRun Stepped(string consequence, FluidMethodFeatures features = FluidMethodFeatures.None, string has = "")
+        private FluidRun Stepped(string consequence, FluidMethodFeatures features = FluidMethodFeatures.None, string has = "")
         {
             Running(consequence);
-            if (IsPlayedBack) throw new InvalidOperationException($"'{name}' is played back, so {consequence}. Disable the component that plays it first.");
-            if (features != FluidMethodFeatures.None && !FluidMethods.Has(ActiveMethod, features)) throw new InvalidOperationException($"The method {ActiveMethod} of '{name}' has {has}. Set Method to Standard.");
+            if (IsPlayedBack)
+            {
+                throw new InvalidOperationException(
+                    $"'{name}' is played back, so {consequence}. Disable the component that plays it first.");
+            }
+            if (features != FluidMethodFeatures.None && !FluidMethods.Has(ActiveMethod, features))
+            {
+                throw new InvalidOperationException($"The method {ActiveMethod} of '{name}' has {has}. Set Method to Standard.");
+            }
             return run;
         }
 
-        FluidRun Running(string consequence) => run ?? throw new InvalidOperationException($"'{name}' does not run, so {consequence}.");
+        private FluidRun Running(string consequence) =>
+            run ?? throw new InvalidOperationException($"'{name}' does not run, so {consequence}.");
 
-        void Release()
+        private void Release()
         {
             if (run == null) return;
             queries?.Detach();

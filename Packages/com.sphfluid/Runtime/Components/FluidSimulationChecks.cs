@@ -15,7 +15,9 @@ namespace SphFluid
         /// <returns>True when one is an error.</returns>
         public static bool HasErrors(IReadOnlyList<FluidMessage> messages) => FluidChecks.HasErrors(messages);
 
-        /// <summary>What Automatic has picked for a simulation, or would pick by what is known; null with another method, or where it cannot start.</summary>
+        /// <summary>
+        /// What Automatic has picked for a simulation, or would pick by what is known; null with another method, or where it cannot start.
+        /// </summary>
         /// <param name="simulation">The simulation.</param>
         /// <returns>The choice; nothing is measured for it.</returns>
         public static FluidMethodChoice PreviewChoice(FluidSimulation simulation)

@@ -3,93 +3,122 @@ using UnityEngine;
 
 namespace SphFluid
 {
-    /// <summary>What is set of a <see cref="FluidSimulation"/>: the fields of its inspector and the spec that they make. It starts and steps nothing.</summary>
+    /// <summary>
+    /// What is set of a <see cref="FluidSimulation"/>: the fields of its inspector and the spec that they make. It starts and steps
+    /// nothing.
+    /// </summary>
     public abstract class FluidSimulationSettings : MonoBehaviour
     {
         [SerializeField, Tooltip("What the liquid is: constants and shaders.")]
-        FluidProfile profile;
+        private FluidProfile profile;
 
         [Header("Domain")]
         [SerializeField, Tooltip("Edge lengths of the box that holds the liquid, in metres. A change starts the liquid again.")]
-        Vector3 domainSize = new Vector3(1f, 1f, 1f);
+        private Vector3 domainSize = new Vector3(1f, 1f, 1f);
 
-        [SerializeField, Min(0f), Tooltip("Distance of neighbouring particles at rest in metres. Half of it means 8 times as many particles " +
+        [SerializeField, Min(0f),
+            Tooltip("Distance of neighbouring particles at rest in metres. Half of it means 8 times as many particles " +
             "and twice as many steps. A change starts the liquid again.")]
-        float particleSpacing = 0.025f;
+        private float particleSpacing = 0.025f;
 
-        [SerializeField, Tooltip("How the motion is computed: Standard; Robust, softer, by a fixed number of steps a frame; the thesis's method to compare with; or Automatic, " +
+        [SerializeField,
+            Tooltip(
+                "How the motion is computed: Standard; Robust, softer, by a fixed number of steps a frame; the thesis's method to " +
+                "compare with; or Automatic, " +
             "which picks one at the start that fits the Frame Budget on this device. A change starts the liquid again.")]
-        FluidMethodKind method = FluidMethodKind.Standard;
+        private FluidMethodKind method = FluidMethodKind.Standard;
 
-        [SerializeField, Min(0f), Tooltip("Time that this liquid's steps may take of a frame on the graphics device in milliseconds, with the method Automatic. In play a change " +
+        [SerializeField, Min(0f),
+            Tooltip(
+                "Time that this liquid's steps may take of a frame on the graphics device in milliseconds, with the method Automatic. In " +
+                "play a change " +
             "chooses again, and another method starts the liquid again.")]
-        float frameBudget = 4f;
+        private float frameBudget = 4f;
 
-        [SerializeField, Min(0f), Tooltip("Frames a second that the Frame Budget is for. 0: the application's target frame rate, or 60 where it sets none.")]
-        float budgetFrameRate;
+        [SerializeField, Min(0f),
+            Tooltip("Frames a second that the Frame Budget is for. 0: the application's target frame rate, or 60 where it sets none.")]
+        private float budgetFrameRate;
 
         [SerializeField, Tooltip("Layers whose colliders the liquid collides with.")]
-        LayerMask colliderLayers = ~0;
+        private LayerMask colliderLayers = ~0;
 
         [Header("Time")]
         [SerializeField, Tooltip("Automatic: the time step follows from spacing, stiffness and viscosity. Fixed: as given. " +
             "Adaptive: equal parts of each frame, shorter when the liquid is faster than expected.")]
-        FluidTimeStepMode timeStepMode = FluidTimeStepMode.Automatic;
+        private FluidTimeStepMode timeStepMode = FluidTimeStepMode.Automatic;
 
         [SerializeField, Min(0f), Tooltip("Time step in seconds when Time Step Mode is Fixed.")]
-        float fixedTimeStep = 0.0005f;
+        private float fixedTimeStep = 0.0005f;
 
-        [SerializeField, Tooltip("Liquid that rests takes no steps until something touches it: a collider that moves, a changed setting, a script.")]
-        bool sleepsAtRest = true;
+        [SerializeField,
+            Tooltip("Liquid that rests takes no steps until something touches it: a collider that moves, a changed setting, a script.")]
+        private bool sleepsAtRest = true;
 
-        [SerializeField, Tooltip("The liquid stops, but is still drawn. Colliders that move meanwhile catch up with the first step afterwards.")]
-        bool paused;
+        [SerializeField,
+            Tooltip("The liquid stops, but is still drawn. Colliders that move meanwhile catch up with the first step afterwards.")]
+        private bool paused;
 
-        [SerializeField, Min(0f), Tooltip("Time of this liquid over the scene's time: 1 as fast as the scene, 0.5 half as fast, 0 stands still. Time.timeScale acts besides.")]
-        float timeScale = 1f;
+        [SerializeField, Min(0f),
+            Tooltip(
+                "Time of this liquid over the scene's time: 1 as fast as the scene, 0.5 half as fast, 0 stands still. Time.timeScale " +
+                "acts besides.")]
+        private float timeScale = 1f;
 
-        [SerializeField, Range(1, 1000), Tooltip("Most steps a frame. If a frame needs more, the liquid falls behind real time, and the console says so.")]
-        int maxSubstepsPerFrame = 64;
+        [SerializeField, Range(1, 1000),
+            Tooltip("Most steps a frame. If a frame needs more, the liquid falls behind real time, and the console says so.")]
+        private int maxSubstepsPerFrame = 64;
 
-        [SerializeField, Min(0f), Tooltip("Fastest speed to be ready for in m/s, 1000 at most, when something makes the liquid faster than its fall and the " +
+        [SerializeField, Min(0f),
+            Tooltip("Fastest speed to be ready for in m/s, 1000 at most, when something makes the liquid faster than its fall and the " +
             "colliders, or where the speed of sound does not follow those. 0: they decide.")]
-        float expectedSpeed;
+        private float expectedSpeed;
 
         [Header("Gravity")]
         [SerializeField, Tooltip("Take gravity from Physics.gravity.")]
-        bool useSceneGravity = true;
+        private bool useSceneGravity = true;
 
         [SerializeField, Tooltip("Gravity in m/s² in world space when Use Scene Gravity is off.")]
-        Vector3 gravity = new Vector3(0f, -9.81f, 0f);
+        private Vector3 gravity = new Vector3(0f, -9.81f, 0f);
 
         [SerializeField, Tooltip("A force by position besides gravity, along the axes of the domain box.")]
-        FluidBodyForce bodyForce;
+        private FluidBodyForce bodyForce;
 
         [Header("Faces")]
-        [SerializeField, Tooltip("What the faces of the domain box do: walls at rest, moving walls that drag, openings into the opposite face, or openings through which liquid leaves.")]
-        FluidBoundaries boundaries;
+        [SerializeField,
+            Tooltip(
+                "What the faces of the domain box do: walls at rest, moving walls that drag, openings into the opposite face, or " +
+                "openings through which liquid leaves.")]
+        private FluidBoundaries boundaries;
 
         [Header("Start")]
         [SerializeField, Tooltip("Start with the scene or when the component is enabled.")]
-        bool playOnEnable = true;
+        private bool playOnEnable = true;
 
-        [SerializeField, Tooltip("Seed of the random offsets at the start. The same seed gives the same start. A change starts the liquid again.")]
-        int seed = 1;
+        [SerializeField,
+            Tooltip("Seed of the random offsets at the start. The same seed gives the same start. A change starts the liquid again.")]
+        private int seed = 1;
 
-        [SerializeField, Range(0f, FluidSpawner.MaxJitter), Tooltip("Largest random offset of a particle at the start as a fraction of the spacing. A change starts the liquid again.")]
-        float startJitter = 0.02f;
+        [SerializeField, Range(0f, FluidSpawner.MaxJitter),
+            Tooltip("Largest random offset of a particle at the start as a fraction of the spacing. A change starts the liquid again.")]
+        private float startJitter = 0.02f;
 
-        [SerializeField, Tooltip("How the liquid is brought to rest before the first frame. Packed: without gravity, particles part that lie too near to " +
-            "each other or to walls. Hydrostatic: under gravity. Takes hundreds to thousands of steps at the start, without Start Jitter; method Standard only. A change starts the liquid again.")]
-        FluidStartRelaxation startRelaxation;
+        [SerializeField,
+            Tooltip(
+                "How the liquid is brought to rest before the first frame. Packed: without gravity, particles part that lie too near to " +
+            "each other or to walls. Hydrostatic: under gravity. Takes hundreds to thousands of steps at the start, without Start " +
+            "Jitter; method Standard only. A change starts the liquid again.")]
+        private FluidStartRelaxation startRelaxation;
 
         [Header("Particles that come and go")]
-        [SerializeField, Tooltip("What happens when emitters give more particles than there are slots for. Grow: twice as many slots, up to Max Particles of " +
+        [SerializeField,
+            Tooltip(
+                "What happens when emitters give more particles than there are slots for. Grow: twice as many slots, up to Max Particles " +
+                "of " +
             "the profile. Fixed: as many as Capacity from the start, and no more come in. Recycle Oldest: the oldest leave.")]
-        FluidCapacityPolicy capacityPolicy;
+        private FluidCapacityPolicy capacityPolicy;
 
         [SerializeField, Min(0), Tooltip("Particles that Fixed and Recycle Oldest hold. 0: Max Particles of the profile.")]
-        int capacity;
+        private int capacity;
 
         private protected FluidSimulationSettings()
         {
@@ -107,10 +136,15 @@ namespace SphFluid
         /// <summary>How the motion is computed.</summary>
         public FluidMethodKind Method { get => method; set => method = value; }
 
-        /// <summary>Time that this liquid's steps may take of a frame on the graphics device [ms], greater than 0; with the method Automatic.</summary>
+        /// <summary>
+        /// Time that this liquid's steps may take of a frame on the graphics device [ms], greater than 0; with the method Automatic.
+        /// </summary>
         public float FrameBudget { get => frameBudget; set => frameBudget = value; }
 
-        /// <summary>Frames a second that <see cref="FrameBudget"/> is for; 0: those of Application.targetFrameRate or Time.captureDeltaTime, or 60 where neither is set.</summary>
+        /// <summary>
+        /// Frames a second that <see cref="FrameBudget"/> is for; 0: those of Application.targetFrameRate or Time.captureDeltaTime, or 60
+        /// where neither is set.
+        /// </summary>
         public float BudgetFrameRate { get => budgetFrameRate; set => budgetFrameRate = value; }
 
         /// <summary>Layers whose colliders count.</summary>
@@ -123,22 +157,26 @@ namespace SphFluid
         public float FixedTimeStep { get => fixedTimeStep; set => fixedTimeStep = value; }
 
         /// <summary>
-        /// Whether the liquid is paused: it keeps its state, is still drawn and takes no steps but those of <see cref="FluidSimulation.StepOnce"/>. No time is
-        /// made up for afterwards. Changed settings act with the next step. The motion of colliders during the pause joins into one that the next frame with
-        /// steps goes through; one too long to follow is a jump, reported as <see cref="FluidIssue.ColliderJumped"/>.
+        /// Whether the liquid is paused: it keeps its state, is still drawn and takes no steps but those of
+        /// <see cref="FluidSimulation.StepOnce"/>. No time is made up for afterwards. Changed settings act with the next step. The motion
+        /// of colliders during the pause joins into one that the next frame with steps goes through; one too long to follow is a jump,
+        /// reported as <see cref="FluidIssue.ColliderJumped"/>.
         /// </summary>
         public bool Paused { get => paused; set => paused = value; }
 
         /// <summary>
-        /// Time of this liquid over Unity's scaled time, 0 or more; 1 by default. Time.timeScale acts besides. Faster than the liquid can be computed
-        /// it moves as fast as <see cref="MaxSubstepsPerFrame"/> allows. Below 0 or not finite it is reported, and the liquid stands still.
+        /// Time of this liquid over Unity's scaled time, 0 or more; 1 by default. Time.timeScale acts besides. Faster than the liquid can
+        /// be computed it moves as fast as <see cref="MaxSubstepsPerFrame"/> allows. Below 0 or not finite it is reported, and the liquid
+        /// stands still.
         /// </summary>
         public float TimeScale { get => timeScale; set => timeScale = value; }
 
         /// <summary>Most steps a frame, 1 to 1000.</summary>
         public int MaxSubstepsPerFrame { get => Mathf.Clamp(maxSubstepsPerFrame, 1, 1000); set => maxSubstepsPerFrame = value; }
 
-        /// <summary>Whether liquid that rests takes no steps until something touches it; see <see cref="FluidSimulation.IsAsleep"/>.</summary>
+        /// <summary>
+        /// Whether liquid that rests takes no steps until something touches it; see <see cref="FluidSimulation.IsAsleep"/>.
+        /// </summary>
         public bool SleepsAtRest { get => sleepsAtRest; set => sleepsAtRest = value; }
 
         /// <summary>Fastest speed to be ready for beyond the fall's [m/s], 0 to 1000; 0: the fall decides.</summary>
@@ -174,7 +212,9 @@ namespace SphFluid
         /// <summary>Largest random offset at the start over the spacing, 0 to 0.2.</summary>
         public float StartJitter { get => Limits.Clamp(startJitter, 0f, FluidSpawner.MaxJitter); set => startJitter = value; }
 
-        /// <summary>How the liquid is brought to rest before the first frame. Standard method only; its step count is among the messages.</summary>
+        /// <summary>
+        /// How the liquid is brought to rest before the first frame. Standard method only; its step count is among the messages.
+        /// </summary>
         public FluidStartRelaxation StartRelaxation { get => Limits.Known(startRelaxation); set => startRelaxation = value; }
 
         /// <summary>What happens when emitters give more particles than there are slots for.</summary>
@@ -183,7 +223,9 @@ namespace SphFluid
         /// <summary>Particles that the policies Fixed and RecycleOldest hold; 0: as many as the profile allows.</summary>
         public int Capacity { get => capacity; set => capacity = value; }
 
-        /// <summary>The settings as they are now, with the transform's place; without the other components that belong to the simulation.</summary>
+        /// <summary>
+        /// The settings as they are now, with the transform's place; without the other components that belong to the simulation.
+        /// </summary>
         private protected FluidSpec SettingsSpec
         {
             get
@@ -214,13 +256,17 @@ namespace SphFluid
                     StartJitter = StartJitter,
                     StartRelaxation = StartRelaxation,
                 };
-                if (FluidMethods.IsChosen(method)) spec.Automatic = new AutomaticSpec(frameBudget, FrameRate, spec.Profile.Rules, spec.MaxSubstepsPerFrame);
+                if (FluidMethods.IsChosen(method))
+                {
+                    spec.Automatic = new AutomaticSpec(frameBudget, FrameRate, spec.Profile.Rules, spec.MaxSubstepsPerFrame);
+                }
                 return spec;
             }
         }
 
         // What is typed, or the frames that the program makes.
-        double FrameRate => budgetFrameRate != 0f ? budgetFrameRate : Time.captureDeltaTime > 0f ? Math.Round(1.0 / Time.captureDeltaTime, 3)
+        private double FrameRate => budgetFrameRate != 0f ? budgetFrameRate : Time.captureDeltaTime > 0f
+            ? Math.Round(1.0 / Time.captureDeltaTime, 3)
             : Application.targetFrameRate > 0 ? Application.targetFrameRate : AutomaticSpec.UsualFrameRate;
     }
 }

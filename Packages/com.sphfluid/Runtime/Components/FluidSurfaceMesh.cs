@@ -21,14 +21,14 @@ namespace SphFluid
     public sealed class FluidSurfaceMesh : FluidView
     {
         [SerializeField, Tooltip("How the surface is made.")]
-        FluidSurfaceOptions surface = new FluidSurfaceOptions();
+        private FluidSurfaceOptions surface = new FluidSurfaceOptions();
 
-        SurfaceSource source;
-        FilledMesh target;
-        CommandBuffer cmd;
-        bool unseenReported;
-        bool flatReported;
-        Matrix4x4 filledBy;
+        private SurfaceSource source;
+        private FilledMesh target;
+        private CommandBuffer cmd;
+        private bool unseenReported;
+        private bool flatReported;
+        private Matrix4x4 filledBy;
 
         /// <summary>How the surface is made.</summary>
         public FluidSurfaceOptions Surface => surface;
@@ -55,7 +55,9 @@ namespace SphFluid
         internal string WhyUnseen()
         {
             if (!TryGetComponent(out MeshRenderer seen))
+            {
                 return $"Nothing draws the mesh of {nameof(FluidSurfaceMesh)}. Add a Mesh Renderer with a material.";
+            }
             return seen.sharedMaterial == null ? $"The Mesh Renderer of {nameof(FluidSurfaceMesh)} has no material. Assign one." : null;
         }
 
@@ -109,32 +111,30 @@ namespace SphFluid
         /// <inheritdoc/>
         protected override void DrawNothing()
         {
-            if (target != null && TryGetComponent(out MeshFilter filter) && filter.sharedMesh == target.Mesh)
-                filter.sharedMesh = null;
+            if (target != null && TryGetComponent(out MeshFilter filter) && filter.sharedMesh == target.Mesh) filter.sharedMesh = null;
         }
 
         // The inverse of a transform that flattens holds no usable numbers.
-        bool IsFlat()
+        private bool IsFlat()
         {
             Vector3 scale = transform.lossyScale;
             bool flat = scale.x == 0f || scale.y == 0f || scale.z == 0f;
             if (flat && !flatReported)
             {
-                Debug.LogWarning($"{FluidMessage.Prefix} '{name}': The transform flattens the object: its scale is {scale}, and no mesh fits into it. " +
+                Debug.LogWarning(
+                    $"{FluidMessage.Prefix} '{name}': The transform flattens the object: its scale is {scale}, and no mesh fits into it. " +
                     "Give it a scale other than 0.", this);
             }
             flatReported = flat;
             return flat;
         }
 
-        void ReportUnseen()
+        private void ReportUnseen()
         {
-            if (unseenReported)
-                return;
+            if (unseenReported) return;
             unseenReported = true;
             string reason = WhyUnseen();
-            if (reason != null)
-                Debug.LogWarning($"{FluidMessage.Prefix} '{name}': {reason}", this);
+            if (reason != null) Debug.LogWarning($"{FluidMessage.Prefix} '{name}': {reason}", this);
         }
     }
 }

@@ -13,24 +13,28 @@ namespace SphFluid
     public sealed class FluidSurfaceRenderer : FluidRenderer
     {
         [SerializeField, Tooltip("How the surface is made.")]
-        FluidSurfaceOptions surface = new FluidSurfaceOptions();
+        private FluidSurfaceOptions surface = new FluidSurfaceOptions();
 
         [SerializeField, Tooltip("How it is drawn: as clear water or as an opaque body.")]
-        FluidSurfaceLook look = FluidSurfaceLook.Water;
+        private FluidSurfaceLook look = FluidSurfaceLook.Water;
 
         [SerializeField, Tooltip("How clear water looks.")]
-        FluidWaterLook water = new FluidWaterLook();
+        private FluidWaterLook water = new FluidWaterLook();
 
-        [SerializeField, Tooltip("Material with the shader 'SPH Fluid/Water' or 'SPH Fluid/Surface', as the look says. Empty: one made from the settings here.")]
-        Material material;
+        [SerializeField,
+            Tooltip(
+                "Material with the shader 'SPH Fluid/Water' or 'SPH Fluid/Surface', as the look says. Empty: one made from the settings " +
+                "here.")]
+        private Material material;
 
         [SerializeField, FormerlySerializedAs("colour"), Tooltip("Colour of the opaque body, if no material is given.")]
-        Color color = new Color(0.06f, 0.4f, 0.66f);
+        private Color color = new Color(0.06f, 0.4f, 0.66f);
 
-        [SerializeField, Range(0f, 1f), Tooltip("Smoothness of the opaque body, if no material is given: how small and bright its highlights are.")]
-        float smoothness = 0.75f;
+        [SerializeField, Range(0f, 1f),
+            Tooltip("Smoothness of the opaque body, if no material is given: how small and bright its highlights are.")]
+        private float smoothness = 0.75f;
 
-        LiquidDrawing drawing;
+        private LiquidDrawing drawing;
 
         /// <summary>How the surface is made.</summary>
         public FluidSurfaceOptions Surface => surface;

@@ -3,9 +3,10 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>
-    /// Shows the walls of a simulation's domain as a glass tank: panes, and bars along the edges, round the domain's box, which follow its size in
-    /// the Editor and in play. Only a picture: the faces of the domain hold the liquid, and the tank has no colliders. The object is a child of the
-    /// simulation's, without a displacement of its own. The first material of its Mesh Renderer is the glass, the second the frame.
+    /// Shows the walls of a simulation's domain as a glass tank: panes, and bars along the edges, round the domain's box, which follow its
+    /// size in the Editor and in play. Only a picture: the faces of the domain hold the liquid, and the tank has no colliders. The object
+    /// is a child of the simulation's, without a displacement of its own. The first material of its Mesh Renderer is the glass, the second
+    /// the frame.
     /// </summary>
     [ManualPage("getting-started", "from-the-menu")]
     [AddComponentMenu("SPH Fluid/Fluid Tank")]
@@ -15,17 +16,17 @@ namespace SphFluid
     public sealed class FluidTank : MonoBehaviour
     {
         [SerializeField, Tooltip("Simulation whose domain is shown. Empty: the one among this object's parents.")]
-        FluidSimulation simulation;
+        private FluidSimulation simulation;
 
         [SerializeField, Min(0f), Tooltip("Thickness of the bars along the edges in metres. 0: no bars.")]
-        float edge = 0.02f;
+        private float edge = 0.02f;
 
         [SerializeField, Tooltip("A pane above the liquid too.")]
-        bool lid;
+        private bool lid;
 
-        Mesh mesh;
-        (Vector3 size, float edge, bool lid) shown;
-        bool reported;
+        private Mesh mesh;
+        private (Vector3 size, float edge, bool lid) shown;
+        private bool reported;
 
         /// <summary>Simulation whose domain is shown; where none is assigned, the one among the object's parents, or null.</summary>
         public FluidSimulation Simulation
@@ -60,7 +61,7 @@ namespace SphFluid
             }
         }
 
-        void OnEnable()
+        private void OnEnable()
         {
             mesh = new Mesh { name = "SPH Fluid Tank", hideFlags = HideFlags.HideAndDontSave };
             GetComponent<MeshFilter>().sharedMesh = mesh;
@@ -69,37 +70,40 @@ namespace SphFluid
             Refresh();
         }
 
-        void OnDisable()
+        private void OnDisable()
         {
             if (TryGetComponent(out MeshFilter filter) && filter.sharedMesh == mesh) filter.sharedMesh = null;
             DestroyImmediate(mesh);
             mesh = null;
         }
 
-        void OnTransformParentChanged() => Refresh();
+        private void OnTransformParentChanged() => Refresh();
 
-        void Update()
+        private void Update()
         {
             if (Simulation == null) ReportMissing();
             Refresh();
         }
 
-        void Refresh()
+        private void Refresh()
         {
             if (mesh == null) return; // it is disabled
             FluidSimulation owner = Simulation;
-            Vector3 size = owner != null && AffineMath.IsFinite(owner.DomainSize) ? Vector3.Max(owner.DomainSize, Vector3.zero) : Vector3.zero;
+            Vector3 size = owner != null && AffineMath.IsFinite(owner.DomainSize) ? Vector3.Max(owner.DomainSize, Vector3.zero)
+                : Vector3.zero;
             if (shown == (size, Edge, lid)) return;
             shown = (size, Edge, lid);
             if (size == Vector3.zero) mesh.Clear();
             else TankMesh.Fill(mesh, size, Edge, lid);
         }
 
-        void ReportMissing()
+        private void ReportMissing()
         {
             if (reported || !Application.isPlaying) return;
             reported = true;
-            Debug.LogWarning($"{FluidMessage.Prefix} '{name}': Fluid Tank has no simulation to show. Assign one, or make the object a child of the Fluid Simulation.", this);
+            Debug.LogWarning(
+                $"{FluidMessage.Prefix} '{name}': Fluid Tank has no simulation to show. Assign one, or make the object a child of the " +
+                "Fluid Simulation.", this);
         }
     }
 }

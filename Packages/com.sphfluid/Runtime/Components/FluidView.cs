@@ -3,28 +3,26 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>
-    /// Base of the components that show a simulation. They only read it: after the simulation's own LateUpdate they take its particles as they
-    /// then are.
+    /// Base of the components that show a simulation. They only read it: after the simulation's own LateUpdate they take its particles as
+    /// they then are.
     /// </summary>
     public abstract class FluidView : MonoBehaviour
     {
         [SerializeField, Tooltip("Simulation to draw. Empty: the one on the same GameObject.")]
-        FluidSimulation simulation;
+        private FluidSimulation simulation;
 
-        FluidSimulation neighbour; // on the same GameObject, where none is assigned
-        FluidShaderSet preparedShaders;
-        bool missingReported;
-        bool failed;
+        private FluidSimulation neighbour; // on the same GameObject, where none is assigned
+        private FluidShaderSet preparedShaders;
+        private bool missingReported;
+        private bool failed;
 
         /// <summary>Simulation to draw; where none is assigned, the one on the same GameObject, or null.</summary>
         public FluidSimulation Simulation
         {
             get
             {
-                if (simulation != null)
-                    return simulation;
-                if (neighbour == null)
-                    TryGetComponent(out neighbour);
+                if (simulation != null) return simulation;
+                if (neighbour == null) TryGetComponent(out neighbour);
                 return neighbour;
             }
             set => simulation = value;
@@ -87,27 +85,24 @@ namespace SphFluid
         {
         }
 
-        void Prepare(FluidShaderSet shaders)
+        private void Prepare(FluidShaderSet shaders)
         {
-            if (shaders == null)
-                throw new FluidDeviceException("The simulation's profile has no shader set. Assign one in the profile.");
-            if (shaders == preparedShaders)
-                return;
+            if (shaders == null) throw new FluidDeviceException("The simulation's profile has no shader set. Assign one in the profile.");
+            if (shaders == preparedShaders) return;
             Forget();
             CreateResources(shaders);
             preparedShaders = shaders;
         }
 
-        void Forget()
+        private void Forget()
         {
             ReleaseResources();
             preparedShaders = null;
         }
 
-        void ReportMissing()
+        private void ReportMissing()
         {
-            if (missingReported)
-                return;
+            if (missingReported) return;
             missingReported = true;
             Debug.LogWarning(
                 $"{FluidMessage.Prefix} '{name}': {GetType().Name} has no simulation to draw. " +

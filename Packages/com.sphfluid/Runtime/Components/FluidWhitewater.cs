@@ -3,9 +3,9 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>
-    /// Spray, foam and bubbles of the simulation on the same GameObject (Ihmsen, Akinci, Akinci and Teschner 2012, "Unified spray, foam and bubbles
-    /// for particle-based fluids"): born where the liquid is agitated, carried by it, and drawn over its surface. The liquid does not feel them.
-    /// Disabled, nothing is computed and no memory is held.
+    /// Spray, foam and bubbles of the simulation on the same GameObject (Ihmsen, Akinci, Akinci and Teschner 2012, "Unified spray, foam and
+    /// bubbles for particle-based fluids"): born where the liquid is agitated, carried by it, and drawn over its surface. The liquid does
+    /// not feel them. Disabled, nothing is computed and no memory is held.
     /// </summary>
     [AddComponentMenu("SPH Fluid/Fluid Whitewater")]
     [ManualPage("drawing", "whitewater")]
@@ -14,27 +14,29 @@ namespace SphFluid
     [DefaultExecutionOrder(105)]
     public sealed class FluidWhitewater : MonoBehaviour
     {
-        [SerializeField, Range(1, MostParticles), Tooltip("Most particles of spray, foam and bubbles. If the liquid makes more, there is less of it " +
+        [SerializeField, Range(1, MostParticles),
+            Tooltip("Most particles of spray, foam and bubbles. If the liquid makes more, there is less of it " +
             "everywhere, and a message says so. 96 bytes of GPU memory each. A change begins without any.")]
-        int maxParticles = 65536;
+        private int maxParticles = 65536;
 
         [SerializeField, Min(0f), Tooltip("How much whitewater agitated liquid makes, relative to the default.")]
-        float amount = 1f;
+        private float amount = 1f;
 
         [SerializeField, Min(0.01f), Tooltip("How long foam lies on still water, at most [s]. On fast water it goes sooner.")]
-        float foamLife = 3f;
+        private float foamLife = 3f;
 
-        [SerializeField, Min(0f), Tooltip("Size of drops, flakes of foam and bubbles, over what it is by default. By default it follows the particle spacing.")]
-        float size = 1f;
+        [SerializeField, Min(0f),
+            Tooltip("Size of drops, flakes of foam and bubbles, over what it is by default. By default it follows the particle spacing.")]
+        private float size = 1f;
 
         [SerializeField, Tooltip("Its colour in white light.")]
-        Color color = new Color(0.93f, 0.97f, 1f);
+        private Color color = new Color(0.93f, 0.97f, 1f);
 
-        FluidSimulation simulation;
-        FluidShaderSet preparedShaders;
-        FluidSolver refused;
-        WhitewaterFlow flow;
-        WhitewaterDrawing drawing;
+        private FluidSimulation simulation;
+        private FluidShaderSet preparedShaders;
+        private FluidSolver refused;
+        private WhitewaterFlow flow;
+        private WhitewaterDrawing drawing;
 
         /// <summary>Most particles that <see cref="MaxParticles"/> may be.</summary>
         public const int MostParticles = 1 << 20;
@@ -62,11 +64,11 @@ namespace SphFluid
 
         internal WhitewaterFlow Flow => flow;
 
-        void OnEnable() => refused = null;
+        private void OnEnable() => refused = null;
 
-        void OnDisable() => Forget();
+        private void OnDisable() => Forget();
 
-        void LateUpdate()
+        private void LateUpdate()
         {
             if (simulation == null) TryGetComponent(out simulation);
             FluidSolver solver = simulation != null && simulation.isActiveAndEnabled ? simulation.Solver : null;
@@ -86,25 +88,28 @@ namespace SphFluid
             {
                 Forget();
                 refused = solver;
-                simulation.Report(new FluidMessage(FluidSeverity.Warning, FluidIssue.DeviceUnsupported, this, exception.Message, "The liquid runs without whitewater."));
+                simulation
+                    .Report(new FluidMessage(FluidSeverity.Warning, FluidIssue.DeviceUnsupported, this, exception.Message,
+                        "The liquid runs without whitewater."));
                 return;
             }
             if (flow.Counts.Refused > 0) simulation.Report(Full);
         }
 
-        FluidMessage Full => new FluidMessage(FluidSeverity.Warning, FluidIssue.WhitewaterFull, this,
+        private FluidMessage Full => new FluidMessage(FluidSeverity.Warning, FluidIssue.WhitewaterFull, this,
             $"The liquid makes more whitewater than the {MaxParticles} particles that Max Particles allows, so all of it is thinned out.",
             "Raise Max Particles, or lower Amount or Foam Life.");
 
         // It receives shadows as the liquid around it does.
-        DrawPlacement Placement(in FluidSolverSettings settings)
+        private DrawPlacement Placement(in FluidSolverSettings settings)
         {
             bool receives = TryGetComponent(out FluidRenderer liquid) && liquid.isActiveAndEnabled && liquid.ReceiveShadows;
             float waterShadow = liquid is FluidSurfaceRenderer surface ? surface.WaterShadow : 0f;
-            return new DrawPlacement(simulation.LocalToWorld, settings.DomainSize, settings.Spacing, gameObject.layer, false, receives, settings.Spacing, waterShadow);
+            return new DrawPlacement(simulation.LocalToWorld, settings.DomainSize, settings.Spacing, gameObject.layer, false, receives,
+                settings.Spacing, waterShadow);
         }
 
-        void Prepare(FluidShaderSet shaders)
+        private void Prepare(FluidShaderSet shaders)
         {
             if (shaders == preparedShaders && flow != null) return;
             Forget();
@@ -113,7 +118,7 @@ namespace SphFluid
             preparedShaders = shaders;
         }
 
-        void Forget()
+        private void Forget()
         {
             drawing?.Dispose();
             drawing = null;

@@ -3,23 +3,25 @@ using System.Collections.Generic;
 
 namespace SphFluid
 {
-    /// <summary>Follows simulations from frame to frame and writes the overlay's text now and then. Between two texts it allocates nothing.</summary>
+    /// <summary>
+    /// Follows simulations from frame to frame and writes the overlay's text now and then. Between two texts it allocates nothing.
+    /// </summary>
     internal sealed class OverlayMeter : IDisposable
     {
-        struct Followed
+        private struct Followed
         {
             public FluidSimulation Simulation;
             public FluidSolver Solver;
             public long Steps, CapHits;
         }
 
-        readonly List<Followed> followed = new List<Followed>();
-        readonly List<LiquidFigures> figures = new List<LiquidFigures>();
-        readonly OverlayText writer = new OverlayText();
-        readonly StageClock clock;
-        StageTimes times;
-        double elapsed = double.PositiveInfinity;
-        int frames;
+        private readonly List<Followed> followed = new List<Followed>();
+        private readonly List<LiquidFigures> figures = new List<LiquidFigures>();
+        private readonly OverlayText writer = new OverlayText();
+        private readonly StageClock clock;
+        private StageTimes times;
+        private double elapsed = double.PositiveInfinity;
+        private int frames;
 
         /// <param name="clock">Clock of the stages to begin with.</param>
         public OverlayMeter(StageClock clock) => this.clock = clock;
@@ -48,7 +50,7 @@ namespace SphFluid
         /// <inheritdoc/>
         public void Dispose() => DropTimes();
 
-        void Write(FluidSimulation only)
+        private void Write(FluidSimulation only)
         {
             figures.Clear();
             bool worked = false;
@@ -63,7 +65,7 @@ namespace SphFluid
             frames = 0;
         }
 
-        bool Add(FluidSimulation simulation)
+        private bool Add(FluidSimulation simulation)
         {
             int at = IndexOf(simulation);
             Followed before = followed[at];
@@ -71,21 +73,31 @@ namespace SphFluid
             if (before.Solver != solver) before = new Followed { Simulation = simulation, Solver = solver };
             long steps = simulation.StepCount - before.Steps, capped = simulation.CapHits - before.CapHits;
             figures.Add(Figures(simulation, solver, steps, capped));
-            followed[at] = new Followed { Simulation = simulation, Solver = solver, Steps = simulation.StepCount, CapHits = simulation.CapHits };
+            followed[at] =
+                new Followed { Simulation = simulation, Solver = solver, Steps = simulation.StepCount, CapHits = simulation.CapHits };
             return steps > 0;
         }
 
-        int IndexOf(FluidSimulation simulation)
+        private int IndexOf(FluidSimulation simulation)
         {
             for (int i = 0; i < followed.Count; i++)
                 if (followed[i].Simulation == simulation) return i;
-            followed.Add(new Followed { Simulation = simulation, Solver = simulation.Solver, Steps = simulation.StepCount, CapHits = simulation.CapHits });
+            followed
+                .Add(new Followed
+                {
+                    Simulation = simulation, Solver = simulation.Solver, Steps = simulation.StepCount,
+                    CapHits = simulation.CapHits
+                });
             return followed.Count - 1;
         }
 
-        LiquidFigures Figures(FluidSimulation simulation, FluidSolver solver, long steps, long capped)
+        private LiquidFigures Figures(FluidSimulation simulation, FluidSolver solver, long steps, long capped)
         {
-            var result = new LiquidFigures { Name = simulation.name, Runs = solver != null, State = State(simulation), Message = simulation.StatusMessage };
+            var result = new LiquidFigures
+            {
+                Name = simulation.name, Runs = solver != null, State = State(simulation),
+                Message = simulation.StatusMessage
+            };
             if (solver == null) return result;
             FluidCounters counters = solver.Counters;
             if (simulation.MethodChoice is FluidMethodChoice choice) result.Method = MethodChoiceText.Short(choice);
@@ -98,15 +110,16 @@ namespace SphFluid
             result.MostSteps = simulation.MaxSubstepsPerFrame;
             result.TimeStep = simulation.TimeStep;
             result.RealTimeFactor = simulation.RealTimeFactor;
-            result.Limit = FluidRules.Advise(solver.Settings, counters.MaxSpeed < float.PositiveInfinity ? counters.MaxSpeed : float.MaxValue).Limit;
+            result.Limit =
+                FluidRules.Advise(solver.Settings, counters.MaxSpeed < float.PositiveInfinity ? counters.MaxSpeed : float.MaxValue).Limit;
             result.Bytes = simulation.GpuBytes;
             return result;
         }
 
-        static string State(FluidSimulation simulation) =>
+        private static string State(FluidSimulation simulation) =>
             !simulation.IsRunning ? "stopped" : simulation.Paused ? "paused" : simulation.IsAsleep ? "asleep" : "running";
 
-        void DropTimes()
+        private void DropTimes()
         {
             times?.Dispose();
             times = null;

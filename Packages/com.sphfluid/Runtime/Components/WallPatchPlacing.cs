@@ -6,14 +6,14 @@ namespace SphFluid
     /// <summary>Keeps a <see cref="WallPatch"/> on the wall that is nearest to an object, and with that wall when it moves.</summary>
     internal sealed class WallPatchPlacing
     {
-        WallForces forces;
-        Transform carrier; // of the wall: its collider's or the domain's
-        object key;
-        Matrix4x4 inCarrier; // the object's pose when the wall was looked for
-        Vector3 point;       // of the wall, in the carrier
-        Quaternion rotation;
-        Vector2 size;
-        long colliderChanges;
+        private WallForces forces;
+        private Transform carrier; // of the wall: its collider's or the domain's
+        private object key;
+        private Matrix4x4 inCarrier; // the object's pose when the wall was looked for
+        private Vector3 point;       // of the wall, in the carrier
+        private Quaternion rotation;
+        private Vector2 size;
+        private long colliderChanges;
 
         /// <summary>The patch; null while there is no wall.</summary>
         public WallPatch Patch { get; private set; }
@@ -73,7 +73,7 @@ namespace SphFluid
         }
 
         // While the object keeps its place on the wall that it has, it keeps the wall.
-        bool NeedsSearch(FluidSimulation liquid, Transform probe)
+        private bool NeedsSearch(FluidSimulation liquid, Transform probe)
         {
             if (carrier == null || Patch == null) return true;
             Matrix4x4 now = Relative(probe);
@@ -83,17 +83,18 @@ namespace SphFluid
             return shift > 1e-3f * liquid.Solver.Settings.Spacing || scene;
         }
 
-        Matrix4x4 Relative(Transform probe)
+        private Matrix4x4 Relative(Transform probe)
         {
             Quaternion back = Quaternion.Inverse(carrier.rotation);
             return Matrix4x4.TRS(back * (probe.position - carrier.position), back * probe.rotation, Vector3.one);
         }
 
-        bool Search(FluidSimulation liquid, Transform probe)
+        private bool Search(FluidSimulation liquid, Transform probe)
         {
             Transform domain = liquid.transform;
             Matrix4x4 toSimulation = DomainSpace.FromWorld(domain.position, domain.rotation);
-            WallPlace? found = WallFinder.Find(liquid.Collision.Solids, liquid.Solver.Settings, toSimulation.MultiplyPoint3x4(probe.position), toSimulation.MultiplyVector(probe.forward));
+            WallPlace? found = WallFinder.Find(liquid.Collision.Solids, liquid.Solver.Settings,
+                toSimulation.MultiplyPoint3x4(probe.position), toSimulation.MultiplyVector(probe.forward));
             colliderChanges = liquid.Collision.Changes;
             if (!(found is WallPlace place)) return false;
             object before = key;

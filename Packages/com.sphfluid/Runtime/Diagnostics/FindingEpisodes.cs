@@ -5,12 +5,12 @@ namespace SphFluid
     /// <summary>Reports a failure once an episode: the episode ends after a while of measurements without it.</summary>
     internal sealed class FindingEpisodes
     {
-        const int QuietMeasurements = 10;
+        private const int QuietMeasurements = 10;
 
-        static readonly int Failures = Enum.GetValues(typeof(FluidFailure)).Length;
+        private static readonly int Failures = Enum.GetValues(typeof(FluidFailure)).Length;
 
-        readonly long[] lastSeen = new long[Failures];
-        long now = QuietMeasurements;
+        private readonly long[] lastSeen = new long[Failures];
+        private long now = QuietMeasurements;
 
         /// <summary>Begins the next measurement.</summary>
         public void Begin() => now++;

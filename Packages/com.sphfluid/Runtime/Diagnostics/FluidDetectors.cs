@@ -5,27 +5,29 @@ namespace SphFluid
 {
     /// <summary>
     /// Names what goes wrong from a liquid's constants and its statistics over time. Pure: no GPU, no scene.
-    /// Documentation~/diagnostics.md lists the limits. <see cref="FluidFailure.AsymmetricPairs"/> needs a search by brute force and is not among them.
+    /// Documentation~/diagnostics.md lists the limits. <see cref="FluidFailure.AsymmetricPairs"/> needs a search by brute force and is not
+    /// among them.
     /// </summary>
     public sealed class FluidDetectors
     {
-        static readonly FluidDetector[] OfSettings =
+        private static readonly FluidDetector[] OfSettings =
         {
             StabilityDetectors.TimeStepTooLong, StabilityDetectors.ViscosityTooStiff, ModelDetectors.SelfTermMissing,
             ModelDetectors.TooLittleViscosity, ModelDetectors.NumericalViscosity,
         };
 
-        static readonly FluidDetector[] OfStatistics =
+        private static readonly FluidDetector[] OfStatistics =
         {
             StabilityDetectors.NonFinite, StabilityDetectors.EnergyGrowth, StabilityDetectors.TimeStepTooLong,
             StabilityDetectors.ViscosityTooStiff, StabilityDetectors.Tunnelling, StabilityDetectors.ClampActs,
-            ParticleDetectors.StaleGrid, ParticleDetectors.OverlappingStart, ParticleDetectors.CoincidentParticles, ParticleDetectors.TensileClumping,
+            ParticleDetectors.StaleGrid, ParticleDetectors.OverlappingStart, ParticleDetectors.CoincidentParticles,
+            ParticleDetectors.TensileClumping,
             ParticleDetectors.Pairing, ParticleDetectors.Escaped, ParticleDetectors.WallStacking, ParticleDetectors.Overflow,
             ModelDetectors.SelfTermMissing, ModelDetectors.DensityDeficiency, ModelDetectors.Boiling, ModelDetectors.DeepTankLoss,
         };
 
-        readonly FluidEvidence evidence;
-        IReadOnlyList<FluidFinding> ofSettings;
+        private readonly FluidEvidence evidence;
+        private IReadOnlyList<FluidFinding> ofSettings;
 
         /// <summary>Detectors for a liquid.</summary>
         /// <param name="settings">Its constants and its method: some failures belong to one.</param>
@@ -51,9 +53,9 @@ namespace SphFluid
         }
 
         /// <summary>
-        /// The next statistics become what energies are compared with: call it when something gave the liquid energy that is no failure, a moved
-        /// collider or a changed particle. Moving walls of the domain and gravity around a periodic axis are known to do work: energy growth is
-        /// then not looked for.
+        /// The next statistics become what energies are compared with: call it when something gave the liquid energy that is no failure, a
+        /// moved collider or a changed particle. Moving walls of the domain and gravity around a periodic axis are known to do work: energy
+        /// growth is then not looked for.
         /// </summary>
         public void Rebase() => evidence.Rebase();
 
@@ -64,7 +66,7 @@ namespace SphFluid
             if (evidence.SetConstants(settings)) ofSettings = null;
         }
 
-        IReadOnlyList<FluidFinding> Look(FluidDetector[] detectors, IReadOnlyList<FluidFinding> known)
+        private IReadOnlyList<FluidFinding> Look(FluidDetector[] detectors, IReadOnlyList<FluidFinding> known)
         {
             List<FluidFinding> found = null;
             foreach (FluidDetector detector in detectors)
@@ -76,7 +78,7 @@ namespace SphFluid
             return found ?? known;
         }
 
-        static bool Has(IReadOnlyList<FluidFinding> findings, FluidFailure failure)
+        private static bool Has(IReadOnlyList<FluidFinding> findings, FluidFailure failure)
         {
             for (int i = 0; i < findings.Count; i++)
                 if (findings[i].Failure == failure) return true;

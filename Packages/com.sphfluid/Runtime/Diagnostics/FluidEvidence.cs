@@ -3,18 +3,20 @@ using UnityEngine;
 
 namespace SphFluid
 {
-    /// <summary>What the detectors look at: a liquid's constants, its statistics at the start, before and now, and the guards' counts.</summary>
+    /// <summary>
+    /// What the detectors look at: a liquid's constants, its statistics at the start, before and now, and the guards' counts.
+    /// </summary>
     internal sealed class FluidEvidence
     {
         // Energy that a liquid may gain before it counts: a twentieth of what it had, and motion at a fiftieth of the speed of sound.
-        const double EnergyShare = 0.05;
-        const double QuietMach = 0.02;
+        private const double EnergyShare = 0.05;
+        private const double QuietMach = 0.02;
 
-        FluidSolverSettings settings;
-        double lowestPotential;
-        FluidCounters countersBefore;
-        FluidCounters counters;
-        bool hasFirst;
+        private FluidSolverSettings settings;
+        private double lowestPotential;
+        private FluidCounters countersBefore;
+        private FluidCounters counters;
+        private bool hasFirst;
 
         public FluidEvidence(in FluidSolverSettings settings, double realViscosity)
         {
@@ -54,8 +56,11 @@ namespace SphFluid
         /// <summary>What makes the steps shorter, the beginning of a cure.</summary>
         public string ShorterSteps => FluidMethods.Get(settings.Method).ShorterSteps;
 
-        /// <summary>What makes the liquid stiffer, a cure without its end; for methods whose steps follow the frame that is the number of substeps.</summary>
-        public string StifferLiquid => Has(FluidMethodFeatures.StepsByFrame) ? "raise the profile's Substeps" : "raise Expected Speed, or the profile's Sound Speed Ratio";
+        /// <summary>
+        /// What makes the liquid stiffer, a cure without its end; for methods whose steps follow the frame that is the number of substeps.
+        /// </summary>
+        public string StifferLiquid => Has(FluidMethodFeatures.StepsByFrame) ? "raise the profile's Substeps"
+            : "raise Expected Speed, or the profile's Sound Speed Ratio";
 
         public double ClumpedShare => Share(Now.Clumped);
 
@@ -85,7 +90,8 @@ namespace SphFluid
         {
             if (Advice.SoundSpeed > 0.0 && Same(now, settings)) return false;
             bool energyStays = now.Gravity == settings.Gravity && now.BodyForce.Equals(settings.BodyForce) &&
-                now.ParticleMass == settings.ParticleMass && now.SoundSpeed <= settings.SoundSpeed && now.RestDensity == settings.RestDensity;
+                now.ParticleMass == settings.ParticleMass && now.SoundSpeed <= settings.SoundSpeed &&
+                now.RestDensity == settings.RestDensity;
             if (!energyStays) Rebase();
             settings = now;
             TimeStep = now.TimeStep;
@@ -109,14 +115,15 @@ namespace SphFluid
 
         public void Rebase() => hasFirst = false;
 
-        double Mass(in FluidStatistics statistics) => settings.ParticleMass * (double)(statistics.ParticleCount - statistics.NonFinite);
+        private double Mass(in FluidStatistics statistics) =>
+            settings.ParticleMass * (double)(statistics.ParticleCount - statistics.NonFinite);
 
-        static bool HasMovingWall(in FluidBoundaries faces) =>
+        private static bool HasMovingWall(in FluidBoundaries faces) =>
             faces.LowX != Vector3.zero || faces.LowY != Vector3.zero || faces.LowZ != Vector3.zero ||
             faces.HighX != Vector3.zero || faces.HighY != Vector3.zero || faces.HighZ != Vector3.zero;
 
         // Per mass: gravity's in its lowest corner; a body force's that pushes away, in its farthest.
-        static double LowestPotential(in FluidSolverSettings settings)
+        private static double LowestPotential(in FluidSolverSettings settings)
         {
             double lowest = 0.0;
             for (int axis = 0; axis < 3; axis++)
@@ -130,8 +137,9 @@ namespace SphFluid
         }
 
         // Field by field: ValueType.Equals would box on every measurement.
-        static bool Same(in FluidSolverSettings a, in FluidSolverSettings b) =>
-            a.DomainSize == b.DomainSize && a.Spacing == b.Spacing && a.SupportRadius == b.SupportRadius && a.RestDensity == b.RestDensity &&
+        private static bool Same(in FluidSolverSettings a, in FluidSolverSettings b) =>
+            a.DomainSize == b.DomainSize && a.Spacing == b.Spacing && a.SupportRadius == b.SupportRadius &&
+                a.RestDensity == b.RestDensity &&
             a.ParticleMass == b.ParticleMass && a.Viscosity == b.Viscosity && a.TimeStep == b.TimeStep && a.Gravity == b.Gravity &&
             a.MaxSpeed == b.MaxSpeed && a.PressureClamp == b.PressureClamp && a.Boundaries.Equals(b.Boundaries) &&
             a.BodyForce.Equals(b.BodyForce) && a.HasOwnOf(b);

@@ -1,6 +1,8 @@
 namespace SphFluid
 {
-    /// <summary>How a particle liquid goes wrong, by the names of failure-modes.md in the documentation of com.sphfluid.validation.</summary>
+    /// <summary>
+    /// How a particle liquid goes wrong, by the names of failure-modes.md in the documentation of com.sphfluid.validation.
+    /// </summary>
     public enum FluidFailure
     {
         /// <summary>Positions or velocities are not finite numbers.</summary>

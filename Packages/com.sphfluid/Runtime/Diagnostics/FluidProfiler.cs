@@ -30,13 +30,13 @@ namespace SphFluid
         /// <summary>All of them.</summary>
         public static readonly IReadOnlyList<string> Names = new[] { Particles, Steps, CapHits, Triangles, Spray, GpuMemory };
 
-        static readonly ProfilerCategory category = new ProfilerCategory(Category);
-        static readonly FrameCounter particles = new FrameCounter(category, Particles, ProfilerMarkerDataUnit.Count);
-        static readonly FrameCounter steps = new FrameCounter(category, Steps, ProfilerMarkerDataUnit.Count);
-        static readonly FrameCounter capHits = new FrameCounter(category, CapHits, ProfilerMarkerDataUnit.Count);
-        static readonly FrameCounter triangles = new FrameCounter(category, Triangles, ProfilerMarkerDataUnit.Count);
-        static readonly FrameCounter spray = new FrameCounter(category, Spray, ProfilerMarkerDataUnit.Count);
-        static readonly FrameCounter memory = new FrameCounter(category, GpuMemory, ProfilerMarkerDataUnit.Bytes);
+        private static readonly ProfilerCategory category = new ProfilerCategory(Category);
+        private static readonly FrameCounter particles = new FrameCounter(category, Particles, ProfilerMarkerDataUnit.Count);
+        private static readonly FrameCounter steps = new FrameCounter(category, Steps, ProfilerMarkerDataUnit.Count);
+        private static readonly FrameCounter capHits = new FrameCounter(category, CapHits, ProfilerMarkerDataUnit.Count);
+        private static readonly FrameCounter triangles = new FrameCounter(category, Triangles, ProfilerMarkerDataUnit.Count);
+        private static readonly FrameCounter spray = new FrameCounter(category, Spray, ProfilerMarkerDataUnit.Count);
+        private static readonly FrameCounter memory = new FrameCounter(category, GpuMemory, ProfilerMarkerDataUnit.Bytes);
 
         /// <summary>Adds a liquid's frame.</summary>
         public static void AddLiquid(long particleCount, long stepsTaken, long timesCapped, long bytes)

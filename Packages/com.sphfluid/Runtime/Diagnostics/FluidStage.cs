@@ -12,18 +12,22 @@ namespace SphFluid
             new FluidStage("neighbours", "ScanCells", "ScatterParticles",
                 "CalculateParticleCellValue", "BitonicSort", "FusedBitonicSort", "ResetGridIndices", "SetGridIndices", "SortParticles"),
             new FluidStage("density", "StandardDensity", "ConstrainDensity", "CalculateDensity"),
-            new FluidStage("forces", new[] { "MoveParticles", "KickParticles", "DiffuseVelocities", "DriftParticles", "PredictParticles", "MoveByConstraints",
-                "FinishParticles", "CalculateForce", "CalculateAcceleration", "CalculateNewPosition" }.Concat(FluidMethods.All.SelectMany(m => m.ForcePasses)).ToArray()),
+            new FluidStage("forces",
+                new[] { "MoveParticles", "KickParticles", "DiffuseVelocities", "DriftParticles", "PredictParticles", "MoveByConstraints",
+                "FinishParticles", "CalculateForce", "CalculateAcceleration",
+                "CalculateNewPosition" }.Concat(FluidMethods.All.SelectMany(m => m.ForcePasses)).ToArray()),
             new FluidStage("colliders", "GatherWalls", "FindContacts", "ResolveContacts", "MoveBodies"),
-            new FluidStage("in and out", "LoadParticles", "BirthParticles", "DrainParticles", "GrowParticles", "PublishParticles", "DampVelocities"),
+            new FluidStage("in and out", "LoadParticles", "BirthParticles", "DrainParticles", "GrowParticles", "PublishParticles",
+                "DampVelocities"),
             new FluidStage("measuring", "MeasureSpeeds", "MeasureStatistics", "PlaceWallPatches").With(QueryKind.Shaders.Shaders),
-            new FluidStage("surface", "ClearSurfaceBlocks", "PrepareSurfaceParticles", "ListSpray", "ListSurfaceBlocks", "SampleBlocks", "CountBlocks",
+            new FluidStage("surface", "ClearSurfaceBlocks", "PrepareSurfaceParticles", "ListSpray", "ListSurfaceBlocks", "SampleBlocks",
+                "CountBlocks",
                 "SurfaceDrawArguments", "EmitBlocks", "WriteSurfaceMesh",
                 "ResetMCGrid", "SetMCGridDensityFactors", "CountSurfaceVertices", "EmitSurfaceVertices"),
             new FluidStage("whitewater", "WhitewaterPotentials", "WhitewaterMotion", "WhitewaterList"),
         };
 
-        FluidStage(string name, params string[] passes)
+        private FluidStage(string name, params string[] passes)
         {
             Name = name;
             Passes = passes;
@@ -35,6 +39,6 @@ namespace SphFluid
         /// <summary>Names of the passes, which are those of their markers in the Profiler.</summary>
         public IReadOnlyList<string> Passes { get; }
 
-        FluidStage With(IEnumerable<string> passes) => new FluidStage(Name, Passes.Concat(passes).ToArray());
+        private FluidStage With(IEnumerable<string> passes) => new FluidStage(Name, Passes.Concat(passes).ToArray());
     }
 }

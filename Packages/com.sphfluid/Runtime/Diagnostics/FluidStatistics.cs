@@ -2,7 +2,9 @@ using UnityEngine;
 
 namespace SphFluid
 {
-    /// <summary>The state of a whole liquid at one moment, summed on the GPU (Shaders/Diagnostics/MeasureStatistics.compute). SI, simulation space.</summary>
+    /// <summary>
+    /// The state of a whole liquid at one moment, summed on the GPU (Shaders/Diagnostics/MeasureStatistics.compute). SI, simulation space.
+    /// </summary>
     public struct FluidStatistics
     {
         /// <summary>Time since the start [s].</summary>
@@ -14,10 +16,14 @@ namespace SphFluid
         /// <summary>Number of particles in the liquid.</summary>
         public int ParticleCount;
 
-        /// <summary>Slots of <see cref="FluidSolver.ParticleCount"/> without a particle: what has left, of a liquid into which nothing is born.</summary>
+        /// <summary>
+        /// Slots of <see cref="FluidSolver.ParticleCount"/> without a particle: what has left, of a liquid into which nothing is born.
+        /// </summary>
         public int Removed;
 
-        /// <summary>Particles with a position, velocity or density that is not a finite number. All sums leave them out, and no other counts them.</summary>
+        /// <summary>
+        /// Particles with a position, velocity or density that is not a finite number. All sums leave them out, and no other counts them.
+        /// </summary>
         public int NonFinite;
 
         /// <summary>Particles outside the domain box by more than half a spacing.</summary>
@@ -35,7 +41,9 @@ namespace SphFluid
         /// <summary>Particles that the neighbour grid does not hold in their own cell; 0 in a grid of the present positions.</summary>
         public int Misplaced;
 
-        /// <summary>Particles that all cells of the neighbour grid hold together; <see cref="ParticleCount"/> in a grid of the present positions.</summary>
+        /// <summary>
+        /// Particles that all cells of the neighbour grid hold together; <see cref="ParticleCount"/> in a grid of the present positions.
+        /// </summary>
         public long Listed;
 
         /// <summary>Largest number of particles in a cell of the neighbour grid.</summary>
@@ -62,7 +70,9 @@ namespace SphFluid
         /// </summary>
         public double PotentialEnergy;
 
-        /// <summary>Energy of compression of the equation of state, Σ m c² (ln(ρ/ρ0) + ρ0/ρ − 1) where its pressure acts, at <see cref="Time"/> [J].</summary>
+        /// <summary>
+        /// Energy of compression of the equation of state, Σ m c² (ln(ρ/ρ0) + ρ0/ρ − 1) where its pressure acts, at <see cref="Time"/> [J].
+        /// </summary>
         public double ElasticEnergy;
 
         /// <summary>Σ m v [kg m/s].</summary>
@@ -84,8 +94,8 @@ namespace SphFluid
         public double MinDensityRatio;
 
         /// <summary>
-        /// Mean of (v_i − mean v of its neighbours)·v_i over mean v², near neighbours counting more by (1 − r²/R²)³: 0 for smooth motion, 1 for
-        /// velocities at random, more where nearest neighbours move against each other: 1.28 for a checkerboard at κ = 2.
+        /// Mean of (v_i − mean v of its neighbours)·v_i over mean v², near neighbours counting more by (1 − r²/R²)³: 0 for smooth motion, 1
+        /// for velocities at random, more where nearest neighbours move against each other: 1.28 for a checkerboard at κ = 2.
         /// </summary>
         public double Checkerboard;
 
@@ -93,6 +103,7 @@ namespace SphFluid
         public double Energy => KineticEnergy + PotentialEnergy + ElasticEnergy;
 
         /// <summary>√(2 E_kin / Σ m) [m/s].</summary>
-        public double RmsSpeed(double particleMass) => System.Math.Sqrt(2.0 * KineticEnergy / System.Math.Max(1e-300, particleMass * (ParticleCount - NonFinite)));
+        public double RmsSpeed(double particleMass) =>
+            System.Math.Sqrt(2.0 * KineticEnergy / System.Math.Max(1e-300, particleMass * (ParticleCount - NonFinite)));
     }
 }

@@ -12,12 +12,12 @@ namespace SphFluid
     /// </summary>
     public sealed class FluidStatisticsMeter : IDisposable
     {
-        readonly MeasureStatisticsPass pass;
-        readonly FluidSolver solver;
-        readonly Queue<FluidMoment> pending = new Queue<FluidMoment>();
-        readonly Action<AsyncGPUReadbackRequest> received;
-        Vector4[] values = new Vector4[0];
-        GraphicsBuffer records;
+        private readonly MeasureStatisticsPass pass;
+        private readonly FluidSolver solver;
+        private readonly Queue<FluidMoment> pending = new Queue<FluidMoment>();
+        private readonly Action<AsyncGPUReadbackRequest> received;
+        private Vector4[] values = new Vector4[0];
+        private GraphicsBuffer records;
 
         /// <summary>A meter for a solver.</summary>
         /// <param name="shaders">Shader set with MeasureStatistics.</param>
@@ -26,7 +26,9 @@ namespace SphFluid
         public FluidStatisticsMeter(FluidShaderSet shaders, FluidSolver solver)
         {
             if (shaders == null)
+            {
                 throw new ArgumentNullException(nameof(shaders), "A statistics meter needs a shader set: assign one in the fluid profile.");
+            }
             this.solver = solver ?? throw new ArgumentNullException(nameof(solver), "A statistics meter needs a running solver.");
             pass = new MeasureStatisticsPass(shaders);
             Reserve();
@@ -49,8 +51,8 @@ namespace SphFluid
         internal int UnderWay => pending.Count;
 
         /// <summary>
-        /// Records a measurement of the present state, and the neighbour setup where it is not fresh: the next step uses it. On devices with
-        /// asynchronous read-back <see cref="Measured"/> follows within a few frames.
+        /// Records a measurement of the present state, and the neighbour setup where it is not fresh: the next step uses it. On devices
+        /// with asynchronous read-back <see cref="Measured"/> follows within a few frames.
         /// </summary>
         /// <param name="cmd">Command buffer to record into.</param>
         public void Record(CommandBuffer cmd) => Record(cmd, false);
@@ -83,17 +85,16 @@ namespace SphFluid
         /// <summary>Frees the GPU memory. Measurements that have not arrived are dropped.</summary>
         public void Dispose() => GpuBuffers.Dispose(ref records);
 
-        void RecordKernel(CommandBuffer cmd)
+        private void RecordKernel(CommandBuffer cmd)
         {
-            if (records == null)
-                throw new ObjectDisposedException(nameof(FluidStatisticsMeter));
+            if (records == null) throw new ObjectDisposedException(nameof(FluidStatisticsMeter));
             solver.RecordNeighbourSetup(cmd);
             Reserve();
             pass.Record(cmd, solver, records);
         }
 
         // A read-back that is under way has the buffer that it was asked of.
-        void Reserve()
+        private void Reserve()
         {
             int length = pass.Groups(solver.ParticleCount) * FluidStatisticsRecord.Size;
             if (values.Length >= length) return;
@@ -102,13 +103,11 @@ namespace SphFluid
             records = GpuBuffers.Create("Statistics", values.Length, 4 * sizeof(float));
         }
 
-        void Receive(AsyncGPUReadbackRequest request)
+        private void Receive(AsyncGPUReadbackRequest request)
         {
-            if (records == null)
-                return;
+            if (records == null) return;
             FluidMoment moment = pending.Dequeue();
-            if (request.hasError)
-                return;
+            if (request.hasError) return;
             NativeArray<Vector4> data = request.GetData<Vector4>();
             NativeArray<Vector4>.Copy(data, values, data.Length);
             FluidStatistics statistics = FluidStatisticsRecord.Sum(values, pass.Groups(moment.ParticleCount), moment);

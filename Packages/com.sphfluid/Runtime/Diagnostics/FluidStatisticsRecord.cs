@@ -9,7 +9,7 @@ namespace SphFluid
         /// <summary>Vectors of a record; STATISTICS_RECORD in the shader.</summary>
         public const int Size = 7;
 
-        const int Energies = 0, Momentum = 1, Means = 2, Particles = 3, Places = 4, Largest = 5, Fullest = 6;
+        private const int Energies = 0, Momentum = 1, Means = 2, Particles = 3, Places = 4, Largest = 5, Fullest = 6;
 
         /// <summary>Adds records up.</summary>
         /// <param name="records">The records, <see cref="Size"/> vectors each.</param>
@@ -58,20 +58,20 @@ namespace SphFluid
         }
 
         // Particles of a layer one spacing thick within R of a point in it, at one a dx²: π κ².
-        static double LayerCount(in FluidSolverSettings settings)
+        private static double LayerCount(in FluidSolverSettings settings)
         {
             double ratio = settings.SupportRadius / (double)settings.Spacing;
             return Math.PI * ratio * ratio;
         }
 
-        static double Add(Vector4[] records, int groups, int vector, int component)
+        private static double Add(Vector4[] records, int groups, int vector, int component)
         {
             double sum = 0.0;
             for (int group = 0; group < groups; group++) sum += records[group * Size + vector][component];
             return sum;
         }
 
-        static double Maximum(Vector4[] records, int groups, int vector, int component)
+        private static double Maximum(Vector4[] records, int groups, int vector, int component)
         {
             float maximum = float.NegativeInfinity;
             for (int group = 0; group < groups; group++) maximum = Math.Max(maximum, records[group * Size + vector][component]);

@@ -7,13 +7,14 @@ using Unity.Profiling.LowLevel.Unsafe;
 namespace SphFluid
 {
     /// <summary>
-    /// A number of the Profiler: added up during a frame, taken at its end, zero at the start of the next one. The package com.unity.profiling.core has it as
-    /// ProfilerCounterValue; this needs no package. Where Unity has no profiler, in release builds, it counts nothing.
+    /// A number of the Profiler: added up during a frame, taken at its end, zero at the start of the next one. The package
+    /// com.unity.profiling.core has it as ProfilerCounterValue; this needs no package. Where Unity has no profiler, in release builds, it
+    /// counts nothing.
     /// </summary>
     internal readonly struct FrameCounter
     {
 #if ENABLE_PROFILER
-        readonly unsafe long* value;
+        private readonly unsafe long* value;
 #endif
 
         /// <summary>Makes it known to the Profiler.</summary>
@@ -23,7 +24,8 @@ namespace SphFluid
         public unsafe FrameCounter(ProfilerCategory category, string name, ProfilerMarkerDataUnit unit)
         {
 #if ENABLE_PROFILER
-            value = (long*)ProfilerUnsafeUtility.CreateCounterValue(out _, name, category, MarkerFlags.Default, (byte)ProfilerMarkerDataType.Int64, (byte)unit,
+            value = (long*)ProfilerUnsafeUtility.CreateCounterValue(out _, name, category, MarkerFlags.Default,
+                (byte)ProfilerMarkerDataType.Int64, (byte)unit,
                 sizeof(long), ProfilerCounterOptions.FlushOnEndOfFrame | ProfilerCounterOptions.ResetToZeroOnFlush);
 #endif
         }

@@ -6,21 +6,21 @@ namespace SphFluid
     /// <summary>Sums a liquid's state, a record a group of threads.</summary>
     internal sealed class MeasureStatisticsPass : ComputePass
     {
-        static readonly int Statistics = Id("_Statistics");
-        static readonly int Density = Id("_Density");
-        static readonly int Pressure = Id("_Pressure");
-        static readonly int ParticleCount = Id("_ParticleCount");
-        static readonly int CellCount = Id("_CellCount");
-        static readonly int GroupCount = Id("_GroupCount");
-        static readonly int RestDensity = Id("_RestDensity");
-        static readonly int Spacing = Id("_Spacing");
-        static readonly int HalfStep = Id("_HalfStep");
-        static readonly int Potential = Id("_Potential");
-        static readonly int PotentialCentre = Id("_PotentialCentre");
-        static readonly int PotentialRate = Id("_PotentialRate");
-        static readonly int DomainHalfSize = Id("_DomainHalfSize");
+        private static readonly int Statistics = Id("_Statistics");
+        private static readonly int Density = Id("_Density");
+        private static readonly int Pressure = Id("_Pressure");
+        private static readonly int ParticleCount = Id("_ParticleCount");
+        private static readonly int CellCount = Id("_CellCount");
+        private static readonly int GroupCount = Id("_GroupCount");
+        private static readonly int RestDensity = Id("_RestDensity");
+        private static readonly int Spacing = Id("_Spacing");
+        private static readonly int HalfStep = Id("_HalfStep");
+        private static readonly int Potential = Id("_Potential");
+        private static readonly int PotentialCentre = Id("_PotentialCentre");
+        private static readonly int PotentialRate = Id("_PotentialRate");
+        private static readonly int DomainHalfSize = Id("_DomainHalfSize");
 
-        readonly ComputeKernel kernel;
+        private readonly ComputeKernel kernel;
 
         public MeasureStatisticsPass(FluidShaderSet shaders)
             : base(shaders, "MeasureStatistics")
@@ -58,7 +58,7 @@ namespace SphFluid
             }
         }
 
-        static Vector3 AlongWalls(Vector3 value, in FluidSolverSettings settings)
+        private static Vector3 AlongWalls(Vector3 value, in FluidSolverSettings settings)
         {
             FluidAxes axes = settings.Boundaries.Periodic;
             return new Vector3(

@@ -9,9 +9,9 @@ namespace SphFluid
     internal sealed class OverlayText
     {
         // Longest line of a message: it shall not make the box as wide as the screen.
-        const int MessageWidth = 64;
+        private const int MessageWidth = 64;
 
-        readonly StringBuilder text = new StringBuilder(1024);
+        private readonly StringBuilder text = new StringBuilder(1024);
 
         /// <summary>Text of a frame, lines parted by '\n'.</summary>
         /// <param name="liquids">The liquids.</param>
@@ -28,7 +28,7 @@ namespace SphFluid
             return text.ToString();
         }
 
-        void Write(in LiquidFigures liquid)
+        private void Write(in LiquidFigures liquid)
         {
             text.Append('\n').Append(liquid.Name).Append("   ").Append(liquid.State);
             if (liquid.Runs)
@@ -46,7 +46,7 @@ namespace SphFluid
             if (!string.IsNullOrEmpty(liquid.Message)) WriteMessage(liquid.Message);
         }
 
-        void WriteMessage(string message)
+        private void WriteMessage(string message)
         {
             int width = MessageWidth + 1;
             foreach (string word in message.Split(' '))
@@ -59,7 +59,7 @@ namespace SphFluid
             }
         }
 
-        void Write(StageTimes times, IReadOnlyList<FluidStage> stages)
+        private void Write(StageTimes times, IReadOnlyList<FluidStage> stages)
         {
             if (times.Clock == StageClock.None)
             {
@@ -81,6 +81,6 @@ namespace SphFluid
             Add($"\n  {sum,7:0.00}  together");
         }
 
-        void Add(FormattableString line) => text.Append(line.ToString(CultureInfo.InvariantCulture));
+        private void Add(FormattableString line) => text.Append(line.ToString(CultureInfo.InvariantCulture));
     }
 }

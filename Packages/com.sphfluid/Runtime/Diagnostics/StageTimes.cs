@@ -17,8 +17,8 @@ namespace SphFluid
     }
 
     /// <summary>
-    /// Mean times of the stages a frame, by Unity's recorders of the passes' markers. On the GPU where Unity measures that; where for several readings in which
-    /// steps were taken nothing comes, on the CPU; where nothing comes there either, not at all.
+    /// Mean times of the stages a frame, by Unity's recorders of the passes' markers. On the GPU where Unity measures that; where for
+    /// several readings in which steps were taken nothing comes, on the CPU; where nothing comes there either, not at all.
     /// </summary>
     internal sealed class StageTimes : IDisposable
     {
@@ -26,14 +26,14 @@ namespace SphFluid
         public const int Patience = 4;
 
         // Frames between two readings that are kept; of more the last count.
-        const int Capacity = 128;
+        private const int Capacity = 128;
 
-        readonly IReadOnlyList<FluidStage> stages;
-        readonly List<ProfilerRecorder> recorders = new List<ProfilerRecorder>();
-        readonly List<int> stageOf = new List<int>();
-        readonly List<ProfilerRecorderSample> samples = new List<ProfilerRecorderSample>(Capacity);
-        readonly double[] milliseconds;
-        int silent;
+        private readonly IReadOnlyList<FluidStage> stages;
+        private readonly List<ProfilerRecorder> recorders = new List<ProfilerRecorder>();
+        private readonly List<int> stageOf = new List<int>();
+        private readonly List<ProfilerRecorderSample> samples = new List<ProfilerRecorderSample>(Capacity);
+        private readonly double[] milliseconds;
+        private int silent;
 
         /// <param name="stages">The stages.</param>
         /// <param name="clock">Clock to begin with.</param>
@@ -87,7 +87,7 @@ namespace SphFluid
             stageOf.Clear();
         }
 
-        void Use(StageClock clock)
+        private void Use(StageClock clock)
         {
             Dispose();
             Clock = clock;

@@ -19,17 +19,19 @@ namespace SphFluid
     }
 
     /// <summary>
-    /// What steps cost on one device: by method, support radius and bodies, and by number of particles in powers of two, as few particles leave a device idle.
-    /// Between two sizes the cost is on the line through both; beyond the largest it goes on along the line through the last two.
+    /// What steps cost on one device: by method, support radius and bodies, and by number of particles in powers of two, as few particles
+    /// leave a device idle. Between two sizes the cost is on the line through both; beyond the largest it goes on along the line through
+    /// the last two.
     /// </summary>
     internal sealed class StepCostTable
     {
         /// <summary>Largest ratio of two numbers of particles of which one's cost speaks for the other's.</summary>
         public const double NearRatio = 2.0;
 
-        const int Sizes = 40;
+        private const int Sizes = 40;
 
-        readonly Dictionary<StepCostKey, SortedList<int, StepCost>> costs = new Dictionary<StepCostKey, SortedList<int, StepCost>>();
+        private readonly Dictionary<StepCostKey, SortedList<int, StepCost>> costs =
+            new Dictionary<StepCostKey, SortedList<int, StepCost>>();
 
         /// <summary>Number of costs.</summary>
         public int Count
@@ -42,7 +44,9 @@ namespace SphFluid
             }
         }
 
-        /// <summary>Takes in a measurement, in the place of an older one of this size. One of a start does not replace one of play.</summary>
+        /// <summary>
+        /// Takes in a measurement, in the place of an older one of this size. One of a start does not replace one of play.
+        /// </summary>
         /// <param name="key">Of which steps it is.</param>
         /// <param name="cost">What was measured.</param>
         /// <returns>False where the numbers are none of a measurement, or one of play is known.</returns>
@@ -68,7 +72,8 @@ namespace SphFluid
             IList<StepCost> known = sizes.Values;
             int above = 0;
             while (above < known.Count && known[above].Particles < particles) above++;
-            StepCost nearest = above == known.Count || above > 0 && particles * (double)particles < known[above - 1].Particles * (double)known[above].Particles
+            StepCost nearest = above == known.Count || above > 0 &&
+                particles * (double)particles < known[above - 1].Particles * (double)known[above].Particles
                 ? known[above - 1] : known[above];
             cost = new StepCost { Particles = nearest.Particles, InPlay = nearest.InPlay, Milliseconds = On(known, above, particles) };
             return true;
@@ -87,7 +92,11 @@ namespace SphFluid
             var text = new StringBuilder();
             foreach (KeyValuePair<StepCostKey, SortedList<int, StepCost>> entry in costs)
                 foreach (StepCost cost in entry.Value.Values)
-                    text.Append(FormattableString.Invariant($"{entry.Key} {cost.Particles} {cost.Milliseconds:R} {(cost.InPlay ? "play" : "start")}\n"));
+                {
+                    text.Append(
+                        FormattableString.Invariant($"{entry.Key} {cost.Particles} {cost.Milliseconds:R} ") +
+                        FormattableString.Invariant($"{(cost.InPlay ? "play" : "start")}\n"));
+                }
             return text.ToString();
         }
 
@@ -101,23 +110,25 @@ namespace SphFluid
                 if (words.Length != 4 || words[3] != "play" && words[3] != "start") continue;
                 if (!long.TryParse(words[1], NumberStyles.None, CultureInfo.InvariantCulture, out long particles)) continue;
                 if (!double.TryParse(words[2], NumberStyles.Float, CultureInfo.InvariantCulture, out double milliseconds)) continue;
-                table.Record(StepCostKey.Parse(words[0]), new StepCost { Particles = particles, Milliseconds = milliseconds, InPlay = words[3] == "play" });
+                table.Record(StepCostKey.Parse(words[0]),
+                    new StepCost { Particles = particles, Milliseconds = milliseconds, InPlay = words[3] == "play" });
             }
             return table;
         }
 
-        static double On(IList<StepCost> known, int above, long particles)
+        private static double On(IList<StepCost> known, int above, long particles)
         {
             if (known.Count == 1) return known[0].Milliseconds * particles / known[0].Particles;
-            StepCost low = known[Math.Max(0, Math.Min(above, known.Count - 1) - 1)], high = known[Math.Max(1, Math.Min(above, known.Count - 1))];
+            StepCost low = known[Math.Max(0, Math.Min(above, known.Count - 1) - 1)],
+                high = known[Math.Max(1, Math.Min(above, known.Count - 1))];
             double slope = (high.Milliseconds - low.Milliseconds) / (high.Particles - low.Particles);
             double line = low.Milliseconds + slope * (particles - low.Particles);
             if (above == 0) return Between(low.Milliseconds * particles / low.Particles, line, low.Milliseconds);
             return above < known.Count ? line : Between(high.Milliseconds, line, high.Milliseconds * particles / high.Particles);
         }
 
-        static double Between(double least, double value, double most) => Math.Max(least, Math.Min(value, most));
+        private static double Between(double least, double value, double most) => Math.Max(least, Math.Min(value, most));
 
-        static int SizeOf(long particles) => Math.Max(0, Math.Min(Sizes - 1, (int)Math.Round(Math.Log(particles, 2.0))));
+        private static int SizeOf(long particles) => Math.Max(0, Math.Min(Sizes - 1, (int)Math.Round(Math.Log(particles, 2.0))));
     }
 }

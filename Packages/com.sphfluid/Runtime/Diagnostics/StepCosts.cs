@@ -5,18 +5,21 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>
-    /// What steps cost on this machine's graphics device, kept in a file of the application's temporary cache, in the Editor and in builds. Costs of another
-    /// device, driver or version of the package are not used.
+    /// What steps cost on this machine's graphics device, kept in a file of the application's temporary cache, in the Editor and in builds.
+    /// Costs of another device, driver or version of the package are not used.
     /// </summary>
     internal static class StepCosts
     {
-        /// <summary>Time of a pass over a particle and its neighbours where a device cannot be timed [ns]: what no device was measured for, and weak ones need.</summary>
+        /// <summary>
+        /// Time of a pass over a particle and its neighbours where a device cannot be timed [ns]: what no device was measured for, and weak
+        /// ones need.
+        /// </summary>
         public const double EstimatedPass = 5.0;
 
         private const int MostBytes = 1 << 20;
 
-        static StepCostTable table;
-        [OutlivesPlay("what tests have set")] static bool isKept = true;
+        private static StepCostTable table;
+        [OutlivesPlay("what tests have set")] private static bool isKept = true;
 
         /// <summary>Grows with every cost that is noted or forgotten.</summary>
         [OutlivesPlay("it is only compared")] public static int Revision { get; private set; }
@@ -41,7 +44,8 @@ namespace SphFluid
         }
 
         /// <summary>Time of a step where the device cannot be timed [ms].</summary>
-        public static double Estimate(FluidMethodKind method, long particles) => 1e-6 * EstimatedPass * FluidMethods.Get(method).PassesAStep * particles;
+        public static double Estimate(FluidMethodKind method, long particles) =>
+            1e-6 * EstimatedPass * FluidMethods.Get(method).PassesAStep * particles;
 
         /// <summary>Puts another table in the place of the present one, which is not kept; for tests.</summary>
         /// <param name="other">The table; null: the kept one again.</param>
@@ -56,13 +60,14 @@ namespace SphFluid
 
         /// <summary>The table of a kept text; an empty one where the text is of another device, driver or version.</summary>
         internal static StepCostTable Unpack(string text) =>
-            text.StartsWith(Head + "\n", StringComparison.Ordinal) ? StepCostTable.Parse(text.Substring(Head.Length + 1)) : new StepCostTable();
+            text.StartsWith(Head + "\n", StringComparison.Ordinal) ? StepCostTable.Parse(text.Substring(Head.Length + 1))
+                : new StepCostTable();
 
         private static StepCostTable Table => table ??= Unpack(Read());
 
         private static string Path => System.IO.Path.Combine(Application.temporaryCachePath, "SPH Fluid step costs.txt");
 
-        static string Head => $"{FluidPackage.Version}|{SystemInfo.graphicsDeviceName}|{SystemInfo.graphicsDeviceVersion}";
+        private static string Head => $"{FluidPackage.Version}|{SystemInfo.graphicsDeviceName}|{SystemInfo.graphicsDeviceVersion}";
 
         private static void Keep()
         {
@@ -93,7 +98,7 @@ namespace SphFluid
 
         // Without a domain reload statics outlive play mode, and another device may be in use by then.
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
-        static void ResetStatics()
+        private static void ResetStatics()
         {
             if (isKept) table = null;
         }

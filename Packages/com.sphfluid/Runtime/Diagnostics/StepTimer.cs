@@ -7,24 +7,26 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>
-    /// GPU time of a liquid's steps, by Unity's profiler, as means over the last frames that had steps. The times come some frames after the work.
+    /// GPU time of a liquid's steps, by Unity's profiler, as means over the last frames that had steps. The times come some frames after
+    /// the work.
     /// </summary>
     internal sealed class StepTimer : IDisposable
     {
         /// <summary>Frames that the means are taken over.</summary>
         public const int Window = 60;
 
-        const int Pending = 64;
-        const ProfilerRecorderOptions Options = ProfilerRecorderOptions.Default | ProfilerRecorderOptions.GpuRecorder | ProfilerRecorderOptions.StartImmediately;
+        private const int Pending = 64;
+        private const ProfilerRecorderOptions Options = ProfilerRecorderOptions.Default | ProfilerRecorderOptions.GpuRecorder |
+            ProfilerRecorderOptions.StartImmediately;
 
-        [OutlivesPlay("names stay unique")] static int made;
+        [OutlivesPlay("names stay unique")] private static int made;
 
-        readonly ProfilerMarker marker;
-        readonly List<ProfilerRecorderSample> samples = new List<ProfilerRecorderSample>();
-        readonly Queue<Frame> recorded = new Queue<Frame>(); // whose times are to come
-        readonly Queue<Frame> timed = new Queue<Frame>();
-        ProfilerRecorder recorder;
-        Frame sum;
+        private readonly ProfilerMarker marker;
+        private readonly List<ProfilerRecorderSample> samples = new List<ProfilerRecorderSample>();
+        private readonly Queue<Frame> recorded = new Queue<Frame>(); // whose times are to come
+        private readonly Queue<Frame> timed = new Queue<Frame>();
+        private ProfilerRecorder recorder;
+        private Frame sum;
 
         /// <summary>Begins to listen.</summary>
         public StepTimer()
@@ -72,7 +74,7 @@ namespace SphFluid
         /// <inheritdoc/>
         public void Dispose() => recorder.Dispose();
 
-        void Collect()
+        private void Collect()
         {
             if (!IsSupported) return;
             recorder.CopyTo(samples, true);
@@ -88,7 +90,7 @@ namespace SphFluid
             }
         }
 
-        struct Frame
+        private struct Frame
         {
             public long Nanoseconds, Steps, ParticleSteps;
 

@@ -5,26 +5,27 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>
-    /// A mesh as a nozzle: what is seen of it from ahead, along the emitter's forward axis. Liquid leaves from its front at the places of a square lattice,
-    /// each as many spacings ahead of the emitter as the mesh is there, so that all particles are still one lattice that moves.
+    /// A mesh as a nozzle: what is seen of it from ahead, along the emitter's forward axis. Liquid leaves from its front at the places of a
+    /// square lattice, each as many spacings ahead of the emitter as the mesh is there, so that all particles are still one lattice that
+    /// moves.
     /// </summary>
     internal sealed class EmitterOutline
     {
         // Nodes a spacing along each axis: of these, the four lattices with a place or the corner of a cell in the middle.
-        const int Fine = 2;
+        private const int Fine = 2;
 
         // Nodes of the picture of a mesh.
-        const int MostNodes = 16 * EmitterSites.Most * Fine * Fine;
+        private const int MostNodes = 16 * EmitterSites.Most * Fine * Fine;
 
         // Over the spacing, unlike for both axes: corners of meshes are on the lattice often, and nodes on an edge belong to one side.
-        const float ShiftX = 1.3e-3f, ShiftY = 1.7e-3f;
+        private const float ShiftX = 1.3e-3f, ShiftY = 1.7e-3f;
 
-        readonly Mesh mesh;
-        readonly MeshStamp stamp;
-        readonly Vector3 scale;
-        readonly float spacing;
+        private readonly Mesh mesh;
+        private readonly MeshStamp stamp;
+        private readonly Vector3 scale;
+        private readonly float spacing;
 
-        EmitterOutline(in EmitterSpec emitter, float spacing)
+        private EmitterOutline(in EmitterSpec emitter, float spacing)
         {
             mesh = emitter.Mesh;
             stamp = MeshStamp.Read(mesh);
@@ -33,7 +34,9 @@ namespace SphFluid
             Places = Find(mesh, scale, spacing);
         }
 
-        /// <summary>The places of a layer in the emitter's space [m]; none where the mesh is narrower than the lattice, or too large.</summary>
+        /// <summary>
+        /// The places of a layer in the emitter's space [m]; none where the mesh is narrower than the lattice, or too large.
+        /// </summary>
         public Vector3[] Places { get; }
 
         /// <summary>The outline of an emitter of the shape Mesh, made anew where its mesh, scale or spacing are others.</summary>
@@ -50,15 +53,19 @@ namespace SphFluid
             return made;
         }
 
-        static Vector3[] Find(Mesh mesh, Vector3 scale, float spacing)
+        private static Vector3[] Find(Mesh mesh, Vector3 scale, float spacing)
         {
             if (mesh == null || !mesh.isReadable) return Array.Empty<Vector3>(); // a check says so
             TriangleMesh triangles = new MeshReader().Read(mesh).Transformed(Matrix4x4.Scale(scale));
             float step = spacing / Fine;
             Bounds bounds = triangles.Bounds;
-            Vector2Int low = Vector2Int.FloorToInt((Vector2)bounds.min / step) - Vector2Int.one, high = Vector2Int.CeilToInt((Vector2)bounds.max / step) + Vector2Int.one;
+            Vector2Int low = Vector2Int.FloorToInt((Vector2)bounds.min / step) - Vector2Int.one,
+                high = Vector2Int.CeilToInt((Vector2)bounds.max / step) + Vector2Int.one;
             double nodes = (high.x - low.x + 1.0) * (high.y - low.y + 1.0);
-            if (triangles.TriangleCount == 0 || !AffineMath.IsFinite(bounds.size) || !(nodes > 0.0 && nodes <= MostNodes)) return Array.Empty<Vector3>();
+            if (triangles.TriangleCount == 0 || !AffineMath.IsFinite(bounds.size) || !(nodes > 0.0 && nodes <= MostNodes))
+            {
+                return Array.Empty<Vector3>();
+            }
             int width = high.x - low.x + 1;
             var front = new float[(int)nodes];
             for (int i = 0; i < front.Length; i++) front[i] = float.NegativeInfinity;
@@ -71,7 +78,7 @@ namespace SphFluid
         }
 
         // The largest z of the triangles over each node.
-        static void Draw(Vector3 a, Vector3 b, Vector3 c, float step, float spacing, Vector2Int low, int width, float[] front)
+        private static void Draw(Vector3 a, Vector3 b, Vector3 c, float step, float spacing, Vector2Int low, int width, float[] front)
         {
             double area = Cross(b.x - a.x, b.y - a.y, c.x - a.x, c.y - a.y);
             if (area == 0.0) return; // seen edge on
@@ -91,8 +98,9 @@ namespace SphFluid
                 }
         }
 
-        // Of the four lattices the one whose number of places is nearest to the area that is seen, and of equal ones the one nearest to the middle.
-        static Vector3[] Best(float[] front, Vector2Int low, int width, float step, float spacing, Vector2 middle)
+        // Of the four lattices the one whose number of places is nearest to the area that is seen, and of equal ones the one nearest to the
+        // middle.
+        private static Vector3[] Best(float[] front, Vector2Int low, int width, float step, float spacing, Vector2 middle)
         {
             var lattices = new List<Vector3>[Fine * Fine];
             for (int i = 0; i < lattices.Length; i++) lattices[i] = new List<Vector3>();
@@ -110,7 +118,7 @@ namespace SphFluid
             return best.ToArray();
         }
 
-        static double Off(List<Vector3> lattice, int seen, Vector2 middle, float spacing)
+        private static double Off(List<Vector3> lattice, int seen, Vector2 middle, float spacing)
         {
             Vector2 sum = Vector2.zero;
             foreach (Vector3 place in lattice) sum += (Vector2)place - middle;
@@ -118,6 +126,6 @@ namespace SphFluid
             return Math.Abs(lattice.Count * Fine * Fine - seen) + aside / (1.0 + aside);
         }
 
-        static double Cross(double ax, double ay, double bx, double by) => ax * by - ay * bx;
+        private static double Cross(double ax, double ay, double bx, double by) => ax * by - ay * bx;
     }
 }

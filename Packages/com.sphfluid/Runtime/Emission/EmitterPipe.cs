@@ -4,27 +4,28 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>
-    /// The pipe of an emitter that stands in liquid: a wall about the nozzle, closed behind it and open ahead, which keeps the liquid outside from taking the place of
-    /// what is to be born, and a zone in it that drives all that is there at the speed of the nozzle. Both end a little more than a support radius ahead of the nozzle.
+    /// The pipe of an emitter that stands in liquid: a wall about the nozzle, closed behind it and open ahead, which keeps the liquid
+    /// outside from taking the place of what is to be born, and a zone in it that drives all that is there at the speed of the nozzle. Both
+    /// end a little more than a support radius ahead of the nozzle.
     /// </summary>
     internal sealed class EmitterPipe
     {
         // Over the spacing: from the outermost particles to the wall, its thickness, and from the nozzle to the wall behind it.
-        const float Clearance = 0.75f, Thickness = 1f, Back = 0.5f;
+        private const float Clearance = 0.75f, Thickness = 1f, Back = 0.5f;
 
         // Over the spacing: how much farther than the pipe is wide, and than a support radius, the zone reaches; over how much it begins.
-        const float Beyond = 0.15f, Ahead = 0.4f, Edge = 0.25f;
+        private const float Beyond = 0.15f, Ahead = 0.4f, Edge = 0.25f;
 
         // 1/s: of another speed nothing is left after a step.
-        const float DriveRate = 10000f;
+        private const float DriveRate = 10000f;
 
-        const int Segments = 32;
+        private const int Segments = 32;
 
-        readonly FluidEmitterShape shape;
-        readonly Vector2 size, half;
-        readonly float spacing, reach;
+        private readonly FluidEmitterShape shape;
+        private readonly Vector2 size, half;
+        private readonly float spacing, reach;
 
-        EmitterPipe(in EmitterSpec emitter, float spacing, float reach)
+        private EmitterPipe(in EmitterSpec emitter, float spacing, float reach)
         {
             shape = emitter.Shape;
             size = emitter.Size;
@@ -47,7 +48,8 @@ namespace SphFluid
         public static EmitterPipe Create(in EmitterSpec emitter, float spacing, float reach)
         {
             EmitterPipe known = emitter.State.Pipe;
-            bool serves = known != null && known.shape == emitter.Shape && known.size.Equals(emitter.Size) && known.spacing.Equals(spacing) && known.reach.Equals(reach);
+            bool serves = known != null && known.shape == emitter.Shape && known.size.Equals(emitter.Size) &&
+                known.spacing.Equals(spacing) && known.reach.Equals(reach);
             return serves ? known : emitter.State.Pipe = new EmitterPipe(emitter, spacing, reach);
         }
 
@@ -57,7 +59,11 @@ namespace SphFluid
         /// <param name="velocity">Of the liquid, simulation space [m/s].</param>
         public ForceZone Drive(Vector3 position, Quaternion rotation, Vector3 velocity)
         {
-            var zone = new ForceZone { Core = new Vector4(half.x + Beyond * spacing, half.y + Beyond * spacing, 0.5f * reach + Ahead * spacing, 0f) };
+            var zone = new ForceZone
+            {
+                Core =
+                new Vector4(half.x + Beyond * spacing, half.y + Beyond * spacing, 0.5f * reach + Ahead * spacing, 0f)
+            };
             zone.Wind = new Vector4(velocity.x, velocity.y, velocity.z, DriveRate);
             zone.Eddies.w = Edge * spacing;
             zone.Place(position + rotation * new Vector3(0f, 0f, 0.5f * reach), rotation);
@@ -65,7 +71,7 @@ namespace SphFluid
         }
 
         // Half the inner width along both axes: room for the particles of a layer, which may stand a little beyond the nozzle's outline.
-        static Vector2 Half(in EmitterSpec emitter, float spacing)
+        private static Vector2 Half(in EmitterSpec emitter, float spacing)
         {
             Vector2 nozzle = 0.5f * emitter.Size;
             float widest = 0f;
@@ -79,8 +85,9 @@ namespace SphFluid
             return layer + Clearance * spacing * Vector2.one;
         }
 
-        // A closed surface: outer wall, bottom, rim, inner wall and inner bottom. The outer wall is a box, so that nothing outside is within the zone's corners.
-        TriangleMesh Cup()
+        // A closed surface: outer wall, bottom, rim, inner wall and inner bottom. The outer wall is a box, so that nothing outside is
+        // within the zone's corners.
+        private TriangleMesh Cup()
         {
             Vector2[] outline = Outline();
             int n = outline.Length;
@@ -89,7 +96,8 @@ namespace SphFluid
             var vertices = new Vector3[4 * n + 2];
             for (int i = 0; i < n; i++)
             {
-                Vector2 inside = shape == FluidEmitterShape.Disc ? Vector2.Scale(half, outline[i].normalized) : Vector2.Scale(half, outline[i]), outside = Vector2.Scale(outer, outline[i]);
+                Vector2 inside = shape == FluidEmitterShape.Disc ? Vector2.Scale(half, outline[i].normalized)
+                    : Vector2.Scale(half, outline[i]), outside = Vector2.Scale(outer, outline[i]);
                 vertices[i] = new Vector3(outside.x, outside.y, bottom - Thickness * spacing);
                 vertices[n + i] = new Vector3(outside.x, outside.y, Length);
                 vertices[2 * n + i] = new Vector3(inside.x, inside.y, Length);
@@ -112,9 +120,12 @@ namespace SphFluid
         }
 
         // Counter-clockwise about z, on the square from −1 to 1.
-        Vector2[] Outline()
+        private Vector2[] Outline()
         {
-            if (shape != FluidEmitterShape.Disc) return new[] { new Vector2(-1f, -1f), new Vector2(1f, -1f), new Vector2(1f, 1f), new Vector2(-1f, 1f) };
+            if (shape != FluidEmitterShape.Disc)
+            {
+                return new[] { new Vector2(-1f, -1f), new Vector2(1f, -1f), new Vector2(1f, 1f), new Vector2(-1f, 1f) };
+            }
             var outline = new Vector2[Segments];
             for (int i = 0; i < Segments; i++)
             {

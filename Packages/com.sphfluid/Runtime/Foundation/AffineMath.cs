@@ -51,7 +51,8 @@ namespace SphFluid
         /// <summary>Half the edges of the axis-aligned box round the image of one.</summary>
         /// <param name="m">The transform.</param>
         /// <param name="half">Half the edges of the box.</param>
-        public static Vector3 Extents(in Matrix4x4 m, Vector3 half) => new Vector3(Extent(m, 0, half), Extent(m, 1, half), Extent(m, 2, half));
+        public static Vector3 Extents(in Matrix4x4 m, Vector3 half) =>
+            new Vector3(Extent(m, 0, half), Extent(m, 1, half), Extent(m, 2, half));
 
         /// <summary>The axis-aligned box round the image of one that is centred on the origin.</summary>
         /// <param name="m">The transform.</param>
@@ -67,16 +68,16 @@ namespace SphFluid
         /// <summary>Whether the numbers are the same, NaN included; == and Equals differ from NaN, == also lets 1e-5 pass.</summary>
         public static bool Same(Vector3 a, Vector3 b) => a.x.Equals(b.x) && a.y.Equals(b.y) && a.z.Equals(b.z);
 
-        static double Length(in Matrix4x4 m, int column)
+        private static double Length(in Matrix4x4 m, int column)
         {
             Vector4 c = m.GetColumn(column);
             return Math.Sqrt((double)c.x * c.x + (double)c.y * c.y + (double)c.z * c.z);
         }
 
-        static float Extent(in Matrix4x4 m, int row, Vector3 half) =>
+        private static float Extent(in Matrix4x4 m, int row, Vector3 half) =>
             Mathf.Abs(m[row, 0]) * half.x + Mathf.Abs(m[row, 1]) * half.y + Mathf.Abs(m[row, 2]) * half.z;
 
-        static float Cofactor(float a, float b, float c, float d, double scale) =>
+        private static float Cofactor(float a, float b, float c, float d, double scale) =>
             (float)(((double)a * b - (double)c * d) * scale);
     }
 }

@@ -70,7 +70,10 @@ namespace SphFluid
         SubstepCap,
         /// <summary>The solver's guards acted: accelerations limited, particles put back, or non-finite values.</summary>
         GuardActed,
-        /// <summary>The faces of the domain are set to something that cannot be: a periodic axis that is too short, a wall that moves across its plane.</summary>
+        /// <summary>
+        /// The faces of the domain are set to something that cannot be: a periodic axis that is too short, a wall that moves across its
+        /// plane.
+        /// </summary>
         BoundariesInvalid,
         /// <summary>A detector of the diagnostics saw a failure.</summary>
         Diagnosis,
@@ -110,7 +113,9 @@ namespace SphFluid
         SaveInvalid,
         /// <summary>A restored save was made on another device, or in a scene with other objects.</summary>
         SaveDiffers,
-        /// <summary>A liquid volume was enabled, disabled, moved or changed while the liquid runs, and that adds or moves no liquid.</summary>
+        /// <summary>
+        /// A liquid volume was enabled, disabled, moved or changed while the liquid runs, and that adds or moves no liquid.
+        /// </summary>
         VolumeChanged,
 
         /// <summary>The liquid makes more whitewater than its limit.</summary>
@@ -131,7 +136,9 @@ namespace SphFluid
         /// <summary>A file of a sequence is missing, cut or altered, so that its frame is not shown.</summary>
         PlaybackFrame,
 
-        /// <summary>A sequence is of another liquid than the simulation's settings say, or something in the scene does nothing while it is played.</summary>
+        /// <summary>
+        /// A sequence is of another liquid than the simulation's settings say, or something in the scene does nothing while it is played.
+        /// </summary>
         PlaybackDiffers,
 
         /// <summary>A rigid body is smaller or lighter than the liquid's particles can move as it should float.</summary>
@@ -147,13 +154,15 @@ namespace SphFluid
         LiquidTooSoft,
     }
 
-    /// <summary>One message to the user: which object, what is wrong and what to do about it. Shown by the inspector, the console and tests.</summary>
+    /// <summary>
+    /// One message to the user: which object, what is wrong and what to do about it. Shown by the inspector, the console and tests.
+    /// </summary>
     public readonly struct FluidMessage : IEquatable<FluidMessage>
     {
         /// <summary>Prefix of every console line of this package.</summary>
         public const string Prefix = "[SPH Fluid]";
 
-        const int LongestName = 100, LongestText = 2000;
+        private const int LongestName = 100, LongestText = 2000;
 
         /// <summary>A message about <paramref name="context"/>.</summary>
         /// <param name="severity">How bad it is.</param>
@@ -202,9 +211,10 @@ namespace SphFluid
 
         /// <summary>The console line: prefix, object's name, what is wrong, cure. It stays one line whatever names it has in it.</summary>
         public override string ToString() =>
-            $"{Prefix} '{OneLine(Source, LongestName)}': {OneLine(Text, LongestText)}{(Cure.Length == 0 ? "" : " ")}{OneLine(Cure, LongestText)}";
+            $"{Prefix} '{OneLine(Source, LongestName)}': " +
+            $"{OneLine(Text, LongestText)}{(Cure.Length == 0 ? "" : " ")}{OneLine(Cure, LongestText)}";
 
-        static string OneLine(string text, int most)
+        private static string OneLine(string text, int most)
         {
             char[] letters = text.ToCharArray(0, Math.Min(text.Length, most));
             for (int i = 0; i < letters.Length; i++)

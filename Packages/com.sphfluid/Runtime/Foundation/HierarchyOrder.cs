@@ -19,7 +19,7 @@ namespace SphFluid
             return byDepth != 0 ? byDepth : string.CompareOrdinal(a.gameObject.scene.path, b.gameObject.scene.path);
         }
 
-        static List<int> Path(Transform transform)
+        private static List<int> Path(Transform transform)
         {
             var path = new List<int>();
             for (Transform t = transform; t != null; t = t.parent) path.Add(t.GetSiblingIndex());
@@ -27,7 +27,7 @@ namespace SphFluid
             return path;
         }
 
-        static int IndexOnObject(Component component) =>
+        private static int IndexOnObject(Component component) =>
             Array.IndexOf(component.gameObject.GetComponents<Component>(), component);
     }
 }

@@ -3,7 +3,10 @@ using UnityEngine;
 
 namespace SphFluid
 {
-    /// <summary>Brings settings into their range: not a number counts as the least, infinity as the largest number, a choice that there is not as the first one.</summary>
+    /// <summary>
+    /// Brings settings into their range: not a number counts as the least, infinity as the largest number, a choice that there is not as
+    /// the first one.
+    /// </summary>
     internal static class Limits
     {
         /// <summary>A number from least to most.</summary>
@@ -19,9 +22,10 @@ namespace SphFluid
         public static Color Finite(Color value) => new Color(Finite(value.r), Finite(value.g), Finite(value.b), Finite(value.a));
 
         /// <summary>One of the choices that there are: a scene's may be from another version of the package.</summary>
-        public static T Known<T>(T choice) where T : struct, Enum => Array.IndexOf(Choices<T>.All, choice) >= 0 ? choice : Choices<T>.All[0];
+        public static T Known<T>(T choice) where T : struct, Enum => Array.IndexOf(Choices<T>.All, choice) >= 0 ? choice
+            : Choices<T>.All[0];
 
-        static class Choices<T>
+        private static class Choices<T>
         {
             public static readonly T[] All = (T[])Enum.GetValues(typeof(T));
         }

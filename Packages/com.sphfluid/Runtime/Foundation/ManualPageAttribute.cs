@@ -11,7 +11,8 @@ namespace SphFluid
         /// <param name="page">Its file's name without the ending.</param>
         /// <param name="heading">Heading on it as a link has it; empty: the whole page.</param>
         /// <param name="package">The package whose page it is.</param>
-        public ManualPageAttribute(string page, string heading = "", string package = FluidPackage.Name) : base(FluidManual.Address(page, heading, package))
+        public ManualPageAttribute(string page, string heading = "", string package = FluidPackage.Name)
+            : base(FluidManual.Address(page, heading, package))
         {
             Package = package;
             Page = page;

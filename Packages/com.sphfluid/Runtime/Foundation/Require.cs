@@ -4,11 +4,15 @@ using UnityEngine;
 
 namespace SphFluid
 {
-    /// <summary>What arguments must be; else an <see cref="ArgumentException"/> names the argument, its value and what it must be.</summary>
+    /// <summary>
+    /// What arguments must be; else an <see cref="ArgumentException"/> names the argument, its value and what it must be.
+    /// </summary>
     internal static class Require
     {
-        public static double Positive(double value, string name) => That(value > 0.0 && !double.IsInfinity(value), value, name, "a positive number");
-        public static double NotNegative(double value, string name) => That(value >= 0.0 && !double.IsInfinity(value), value, name, "zero or a positive number");
+        public static double Positive(double value, string name) =>
+            That(value > 0.0 && !double.IsInfinity(value), value, name, "a positive number");
+        public static double NotNegative(double value, string name) =>
+            That(value >= 0.0 && !double.IsInfinity(value), value, name, "zero or a positive number");
         public static void Within(double value, double least, double most, string name)
         {
             if (!(value >= least && value <= most)) That(false, value, name, FormattableString.Invariant($"from {least} to {most}"));
@@ -25,8 +29,10 @@ namespace SphFluid
             That(isFinite, value, name, "finite numbers");
         }
 
-        public static void Size(Vector3 value, string name) => That(AffineMath.IsFinite(value) && value.x > 0f && value.y > 0f && value.z > 0f, value, name, "three positive edge lengths");
-        public static void Area(Vector2 value, string name) => That(AffineMath.IsFinite(value) && value.x > 0f && value.y > 0f, value, name, "two positive edge lengths");
+        public static void Size(Vector3 value, string name) =>
+            That(AffineMath.IsFinite(value) && value.x > 0f && value.y > 0f && value.z > 0f, value, name, "three positive edge lengths");
+        public static void Area(Vector2 value, string name) =>
+            That(AffineMath.IsFinite(value) && value.x > 0f && value.y > 0f, value, name, "two positive edge lengths");
         public static void Rotation(Quaternion value, string name)
         {
             float norm = value.x * value.x + value.y * value.y + value.z * value.z + value.w * value.w;
@@ -40,9 +46,12 @@ namespace SphFluid
             Rotation(rotation, nameof(rotation));
         }
 
-        public static void Known<T>(T choice, string name) where T : struct, Enum => That(EqualityComparer<T>.Default.Equals(Limits.Known(choice), choice), choice, name, "one of the choices that there are");
+        public static void Known<T>(T choice, string name)
+            where T : struct,
+                Enum =>
+                That(EqualityComparer<T>.Default.Equals(Limits.Known(choice), choice), choice, name, "one of the choices that there are");
 
-        static T That<T>(bool holds, T value, string name, string must) =>
+        private static T That<T>(bool holds, T value, string name, string must) =>
             holds ? value : throw new ArgumentException(FormattableString.Invariant($"{name} is {value}; it must be {must}."), name);
     }
 }

@@ -5,8 +5,9 @@ using UnityEngine.SceneManagement;
 namespace SphFluid
 {
     /// <summary>
-    /// A name by which a component is found again in another session: the names of its object and of those above it, with a number where siblings
-    /// share a name, and its type with its number among those of its kind on the object. Worked example: "Crates/Crate#2:BoxCollider".
+    /// A name by which a component is found again in another session: the names of its object and of those above it, with a number where
+    /// siblings share a name, and its type with its number among those of its kind on the object. Worked example:
+    /// "Crates/Crate#2:BoxCollider".
     /// </summary>
     internal static class ScenePath
     {
@@ -14,14 +15,17 @@ namespace SphFluid
         public static string GetPath(Component component)
         {
             string path = "";
-            for (Transform t = component.transform; t != null; t = t.parent) path = $"{(t.parent == null ? "" : "/")}{t.name}{Numbered(NumberOf(t))}{path}";
+            for (Transform t = component.transform; t != null; t = t.parent)
+            {
+                path = $"{(t.parent == null ? "" : "/")}{t.name}{Numbered(NumberOf(t))}{path}";
+            }
             return $"{path}:{component.GetType().Name}{Numbered(Array.IndexOf(component.GetComponents(component.GetType()), component))}";
         }
 
-        static string Numbered(int number) => number > 0 ? $"#{number}" : "";
+        private static string Numbered(int number) => number > 0 ? $"#{number}" : "";
 
         // Among siblings of its name.
-        static int NumberOf(Transform transform)
+        private static int NumberOf(Transform transform)
         {
             int number = 0;
             if (transform.parent != null)

@@ -3,11 +3,14 @@ using System.Collections.Generic;
 
 namespace SphFluid
 {
-    /// <summary>Samples of a quantity over time, each with the integral over its own span, and exact means over the last part of it.</summary>
+    /// <summary>
+    /// Samples of a quantity over time, each with the integral over its own span, and exact means over the last part of it.
+    /// </summary>
     internal sealed class TimeMean
     {
-        readonly List<(double Time, double Length, double Integral)> samples = new List<(double Time, double Length, double Integral)>();
-        int first; // of those that are kept
+        private readonly List<(double Time, double Length, double Integral)> samples =
+            new List<(double Time, double Length, double Integral)>();
+        private int first; // of those that are kept
 
         /// <summary>How far back samples are kept [s]: as long as the longest mean that is asked for.</summary>
         public double Memory { get; set; } = 1.0;
@@ -53,7 +56,7 @@ namespace SphFluid
         }
 
         // Of the samples before one; of the first in the span the part that lies in it.
-        double Mean(int end, double seconds)
+        private double Mean(int end, double seconds)
         {
             double integral = 0.0, time = 0.0;
             for (int i = end - 1; i >= first && (i == end - 1 || time < seconds); i--)

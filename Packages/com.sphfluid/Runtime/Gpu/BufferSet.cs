@@ -10,9 +10,9 @@ namespace SphFluid
         /// <summary>What buffers of indirect arguments are for; see <see cref="GpuBuffers.CreateArguments"/>.</summary>
         protected const GraphicsBuffer.Target Arguments = GraphicsBuffer.Target.IndirectArguments | GraphicsBuffer.Target.Raw;
 
-        readonly bool isPlanned;
-        readonly List<FluidBuffer> buffers = new List<FluidBuffer>();
-        readonly List<(FluidBuffer buffer, int more)> forEach = new List<(FluidBuffer, int)>();
+        private readonly bool isPlanned;
+        private readonly List<FluidBuffer> buffers = new List<FluidBuffer>();
+        private readonly List<(FluidBuffer buffer, int more)> forEach = new List<(FluidBuffer, int)>();
 
         /// <param name="isPlanned">Whether only the sizes are asked for: no memory is taken.</param>
         protected BufferSet(bool isPlanned = false) => this.isPlanned = isPlanned;
@@ -35,7 +35,9 @@ namespace SphFluid
             buffers.Clear();
         }
 
-        /// <summary>Makes a buffer that lives as long as the set; when the device has no memory for it, those made before are released.</summary>
+        /// <summary>
+        /// Makes a buffer that lives as long as the set; when the device has no memory for it, those made before are released.
+        /// </summary>
         /// <exception cref="FluidDeviceException">The device has too little memory for a buffer of this size.</exception>
         protected FluidBuffer Add(string name, long count, int stride, GraphicsBuffer.Target target = GraphicsBuffer.Target.Structured)
         {
@@ -61,7 +63,9 @@ namespace SphFluid
             return buffer;
         }
 
-        /// <summary>Makes the buffers of <see cref="AddForEach"/> anew for another number of particles; all of them, or none where one is too large.</summary>
+        /// <summary>
+        /// Makes the buffers of <see cref="AddForEach"/> anew for another number of particles; all of them, or none where one is too large.
+        /// </summary>
         /// <param name="particleCount">Number of particles.</param>
         /// <param name="replaced">Receives what they held, for the caller to copy from and to dispose.</param>
         /// <exception cref="FluidDeviceException">The device has too little memory for a buffer of this size.</exception>
@@ -82,7 +86,8 @@ namespace SphFluid
 
         /// <summary>Makes a buffer, or makes it anew where it is too small; what it held is lost then.</summary>
         /// <exception cref="FluidDeviceException">The device has too little memory for a buffer of this size; the others stay.</exception>
-        protected void Grow(ref FluidBuffer buffer, string name, long count, int stride, GraphicsBuffer.Target target = GraphicsBuffer.Target.Structured)
+        protected void Grow(ref FluidBuffer buffer, string name, long count, int stride,
+            GraphicsBuffer.Target target = GraphicsBuffer.Target.Structured)
         {
             if (buffer != null && buffer.Count >= count) return;
             if (buffer != null)

@@ -7,8 +7,8 @@ namespace SphFluid
     /// <summary>A sample of the profiler around what is recorded while it lives.</summary>
     internal readonly struct CommandSample : IDisposable
     {
-        readonly CommandBuffer cmd;
-        readonly ProfilerMarker marker;
+        private readonly CommandBuffer cmd;
+        private readonly ProfilerMarker marker;
 
         public CommandSample(CommandBuffer cmd, in ProfilerMarker marker)
         {

@@ -16,10 +16,10 @@ namespace SphFluid
         /// <summary>Groups a dispatch may have in one dimension; MAX_GROUPS in Shaders/Gpu/FluidTypes.hlsl.</summary>
         public const int MaxGroups = 65535;
 
-        readonly ComputeShader shader;
-        readonly int index;
-        readonly Dictionary<string, LocalKeyword> keywords = new Dictionary<string, LocalKeyword>();
-        readonly Dictionary<string, bool> declaredKeywords = new Dictionary<string, bool>();
+        private readonly ComputeShader shader;
+        private readonly int index;
+        private readonly Dictionary<string, LocalKeyword> keywords = new Dictionary<string, LocalKeyword>();
+        private readonly Dictionary<string, bool> declaredKeywords = new Dictionary<string, bool>();
 
         /// <summary>Finds a kernel.</summary>
         /// <param name="shader">The compute shader.</param>
@@ -50,7 +50,8 @@ namespace SphFluid
             if (!shader.IsSupported(index))
             {
                 throw new FluidDeviceException(
-                    $"{SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType}) cannot run the kernel '{name}' of '{shader.name}'.");
+                    $"{SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType}) cannot run the kernel '{name}' of " +
+                    $"'{shader.name}'.");
             }
 
             shader.GetKernelThreadGroupSizes(index, out uint x, out uint y, out uint z);
@@ -193,7 +194,8 @@ namespace SphFluid
 
         /// <summary>Records a dispatch of as many groups as a buffer holds when it runs.</summary>
         /// <param name="cmd">Command buffer.</param>
-        /// <param name="arguments">Groups along x, y and z, uint each; made for <see cref="GraphicsBuffer.Target.IndirectArguments"/>.</param>
+        /// <param name="arguments">Groups along x, y and z, uint each; made for
+        /// <see cref="GraphicsBuffer.Target.IndirectArguments"/>.</param>
         public void DispatchIndirect(CommandBuffer cmd, GraphicsBuffer arguments)
         {
             cmd.DispatchCompute(shader, index, arguments, 0);
@@ -210,7 +212,7 @@ namespace SphFluid
                 : new Vector2Int(MaxGroups, Groups(groups, MaxGroups));
         }
 
-        bool TryFindKeyword(string keyword, out LocalKeyword found)
+        private bool TryFindKeyword(string keyword, out LocalKeyword found)
         {
             foreach (LocalKeyword declared in shader.keywordSpace.keywords)
             {
@@ -225,26 +227,26 @@ namespace SphFluid
             return false;
         }
 
-        LocalKeyword FindKeyword(string keyword)
+        private LocalKeyword FindKeyword(string keyword)
         {
-            if (TryFindKeyword(keyword, out LocalKeyword found))
-                return found;
+            if (TryFindKeyword(keyword, out LocalKeyword found)) return found;
 
             throw new FluidDeviceException(
                 $"The compute shader '{shader.name}' does not declare '{keyword}'. Add '#pragma multi_compile_local _ {keyword}' to it.");
         }
 
-        static int Groups(int threads, int size)
+        private static int Groups(int threads, int size)
         {
             return (int)(((long)threads + size - 1) / size);
         }
 
-        void Dispatch(CommandBuffer cmd, int x, int y, int z)
+        private void Dispatch(CommandBuffer cmd, int x, int y, int z)
         {
             if (x > MaxGroups || y > MaxGroups || z > MaxGroups)
             {
                 throw new FluidDeviceException(
-                    $"The kernel '{Name}' would need {x} x {y} x {z} groups; a dispatch holds {MaxGroups} along an axis. Use a coarser grid.");
+                    $"The kernel '{Name}' would need {x} x {y} x {z} groups; a dispatch holds {MaxGroups} along an axis. Use a coarser " +
+                    "grid.");
             }
 
             if (x > 0 && y > 0 && z > 0)

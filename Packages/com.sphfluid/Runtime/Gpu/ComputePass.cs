@@ -10,9 +10,9 @@ namespace SphFluid
     /// </summary>
     internal abstract class ComputePass
     {
-        readonly FluidShaderSet shaders;
-        readonly string shader;
-        readonly ProfilerMarker marker;
+        private readonly FluidShaderSet shaders;
+        private readonly string shader;
+        private readonly ProfilerMarker marker;
 
         /// <param name="shaders">The shaders.</param>
         /// <param name="shader">Name of the pass, of its compute shader and of its marker.</param>

@@ -8,30 +8,30 @@ namespace SphFluid
     internal sealed class CounterReadback : IDisposable
     {
         public const int Slots = 16;
-        const int AccelerationLimit = 0;
-        const int DomainClamp = 1;
-        const int NonFinite = 2;
-        const int Shortened = 3;
-        const int ContactFallback = 4;
-        const int Squeezed = 5;
-        const int Overlap = 6;
-        const int Contact = 7;
-        const int Removed = 8;
-        const int Born = 9;
-        const int Blocked = 10;
-        const int Refused = 11;
-        const int ImpulseLimit = 12;
+        private const int AccelerationLimit = 0;
+        private const int DomainClamp = 1;
+        private const int NonFinite = 2;
+        private const int Shortened = 3;
+        private const int ContactFallback = 4;
+        private const int Squeezed = 5;
+        private const int Overlap = 6;
+        private const int Contact = 7;
+        private const int Removed = 8;
+        private const int Born = 9;
+        private const int Blocked = 10;
+        private const int Refused = 11;
+        private const int ImpulseLimit = 12;
         internal const int MaxSpeed = 13;
-        const int MaxDensity = 14;
-        const int SqueezersSlot = 15;
-        const int FirstMaximum = 13;
+        private const int MaxDensity = 14;
+        private const int SqueezersSlot = 15;
+        private const int FirstMaximum = 13;
 
-        static readonly uint[] Zeros = new uint[Slots];
+        private static readonly uint[] Zeros = new uint[Slots];
 
-        readonly GraphicsBuffer buffer;
-        readonly NumberReadback readback;
-        readonly uint[] last = new uint[Slots];
-        FluidCounters counters;
+        private readonly GraphicsBuffer buffer;
+        private readonly NumberReadback readback;
+        private readonly uint[] last = new uint[Slots];
+        private FluidCounters counters;
 
         public CounterReadback(GraphicsBuffer buffer, float restDensity)
         {
@@ -42,7 +42,9 @@ namespace SphFluid
 
         public FluidCounters Counters => counters;
 
-        /// <summary>Numbers of two bodies that left a particle no place last, from 1 on, in 16 bits each, the larger first; 0: none.</summary>
+        /// <summary>
+        /// Numbers of two bodies that left a particle no place last, from 1 on, in 16 bits each, the larger first; 0: none.
+        /// </summary>
         public uint Squeezers { get; private set; }
 
         public float RestDensity { get; set; }
@@ -82,7 +84,7 @@ namespace SphFluid
             readback.Dispose();
         }
 
-        void Receive(uint[] values)
+        private void Receive(uint[] values)
         {
             counters.AccelerationLimitHits += Added(values, AccelerationLimit);
             counters.DomainClamps += Added(values, DomainClamp);
@@ -103,19 +105,16 @@ namespace SphFluid
         }
 
         // The GPU counts modulo 2^32; a difference survives the overflow. A read-back older than ReadNow's adds nothing.
-        int Added(uint[] values, int slot)
+        private int Added(uint[] values, int slot)
         {
             int added = unchecked((int)(values[slot] - last[slot]));
-            if (added <= 0)
-            {
-                return 0;
-            }
+            if (added <= 0) return 0;
 
             last[slot] = values[slot];
             return added;
         }
 
-        static float ToFloat(uint bits)
+        private static float ToFloat(uint bits)
         {
             return BitConverter.Int32BitsToSingle(unchecked((int)bits));
         }

@@ -18,7 +18,8 @@ namespace SphFluid
         private static readonly string[] SoftwareDevices = { "llvmpipe", "SwiftShader", "Microsoft Basic Render" };
 
         /// <summary>Whether a program on the CPU is the graphics device.</summary>
-        public static bool IsSoftware => Array.Exists(SoftwareDevices, name => SystemInfo.graphicsDeviceName.IndexOf(name, StringComparison.OrdinalIgnoreCase) >= 0);
+        public static bool IsSoftware =>
+            Array.Exists(SoftwareDevices, name => SystemInfo.graphicsDeviceName.IndexOf(name, StringComparison.OrdinalIgnoreCase) >= 0);
 
         public static DeviceCapabilities Query() => new DeviceCapabilities
         {

@@ -3,12 +3,14 @@ using UnityEngine;
 
 namespace SphFluid
 {
-    /// <summary>A buffer and the names that kernels know it by: of "Positions" that is _Positions to read and _PositionsOut to write.</summary>
+    /// <summary>
+    /// A buffer and the names that kernels know it by: of "Positions" that is _Positions to read and _PositionsOut to write.
+    /// </summary>
     internal sealed class FluidBuffer
     {
-        readonly string name;
-        readonly long plannedBytes;
-        GraphicsBuffer buffer;
+        private readonly string name;
+        private readonly long plannedBytes;
+        private GraphicsBuffer buffer;
 
         /// <param name="name">Its name.</param>
         /// <param name="count">Number of elements.</param>
@@ -16,7 +18,8 @@ namespace SphFluid
         /// <param name="target">What it is used for.</param>
         /// <param name="isPlanned">Whether only its size is asked for: no memory is taken.</param>
         /// <exception cref="FluidDeviceException">The device has too little memory for a buffer of this size.</exception>
-        public FluidBuffer(string name, long count, int stride, GraphicsBuffer.Target target = GraphicsBuffer.Target.Structured, bool isPlanned = false)
+        public FluidBuffer(string name, long count, int stride, GraphicsBuffer.Target target = GraphicsBuffer.Target.Structured,
+            bool isPlanned = false)
         {
             this.name = name;
             Id = Shader.PropertyToID("_" + name);

@@ -9,16 +9,24 @@ namespace SphFluid
         /// <summary>Times a particle was put back onto a face of the domain box, since the start.</summary>
         public long DomainClamps;
 
-        /// <summary>Times a particle's position or velocity was not a finite number, since the start; it was stopped where it had been.</summary>
+        /// <summary>
+        /// Times a particle's position or velocity was not a finite number, since the start; it was stopped where it had been.
+        /// </summary>
         public long NonFinite;
 
         /// <summary>Times a step hit a triangle and was changed, since the start.</summary>
         public long Contacts;
 
-        /// <summary>Times a particle was as good as stopped because no path past the triangles was found, since the start. A few in narrow corners are normal.</summary>
+        /// <summary>
+        /// Times a particle was as good as stopped because no path past the triangles was found, since the start. A few in narrow corners
+        /// are normal.
+        /// </summary>
         public long ContactFallbacks;
 
-        /// <summary>Times a particle had no free place left, between colliders that close or a collider and a wall, since the start; it may now be on the wrong side.</summary>
+        /// <summary>
+        /// Times a particle had no free place left, between colliders that close or a collider and a wall, since the start; it may now be
+        /// on the wrong side.
+        /// </summary>
         public long Squeezed;
 
         /// <summary>Times a step began on a triangle, since the start: a collider appeared or jumped onto the particle.</summary>
@@ -39,7 +47,10 @@ namespace SphFluid
         /// <summary>Particles that were not born since the start because the liquid had as many as it may have.</summary>
         public long Refused;
 
-        /// <summary>Times a particle gave a body more than 32 times its mass by the speed of sound in a step, since the start; the body got no more than that.</summary>
+        /// <summary>
+        /// Times a particle gave a body more than 32 times its mass by the speed of sound in a step, since the start; the body got no more
+        /// than that.
+        /// </summary>
         public long ImpulseLimits;
 
         /// <summary>Largest speed in the last recorded steps [m/s].</summary>

@@ -22,7 +22,9 @@ namespace SphFluid
         /// <summary>Velocity half a step after the last force [m/s]; the initial velocity before the first step.</summary>
         public Vector3 VelT0;
 
-        /// <summary>1 where there is no particle: one left the liquid, or none is born yet; all else is 0 then. 0 of a live particle.</summary>
+        /// <summary>
+        /// 1 where there is no particle: one left the liquid, or none is born yet; all else is 0 then. 0 of a live particle.
+        /// </summary>
         public float Removed;
 
         /// <summary>Velocity at the time of the last force [m/s], one step before <see cref="Position"/>.</summary>

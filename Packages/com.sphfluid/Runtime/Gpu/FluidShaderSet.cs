@@ -14,10 +14,10 @@ namespace SphFluid
     public sealed class FluidShaderSet : ScriptableObject
     {
         [SerializeField, Tooltip("The compute shaders of the package, in any order: each is found by its file's name.")]
-        ComputeShader[] computeShaders = Array.Empty<ComputeShader>();
+        private ComputeShader[] computeShaders = Array.Empty<ComputeShader>();
 
         [SerializeField, Tooltip("The shaders that draw, in any order: each is found by the name that it declares.")]
-        Shader[] shaders = Array.Empty<Shader>();
+        private Shader[] shaders = Array.Empty<Shader>();
 
         /// <summary>The compute shaders, in any order; found by their files' names.</summary>
         public IReadOnlyList<ComputeShader> ComputeShaders { get => computeShaders; set => computeShaders = Copy(value); }
@@ -60,7 +60,7 @@ namespace SphFluid
             return missing;
         }
 
-        static T Find<T>(T[] all, string name) where T : Object
+        private static T Find<T>(T[] all, string name) where T : Object
         {
             foreach (T one in all)
             {
@@ -70,7 +70,7 @@ namespace SphFluid
             return null;
         }
 
-        static T[] Copy<T>(IReadOnlyList<T> list)
+        private static T[] Copy<T>(IReadOnlyList<T> list)
         {
             var copy = new T[list?.Count ?? 0];
             for (int i = 0; i < copy.Length; i++) copy[i] = list[i];

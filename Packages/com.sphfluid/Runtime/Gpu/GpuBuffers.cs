@@ -38,11 +38,12 @@ namespace SphFluid
             }
         }
 
-        static long Elements(long count) => count > 0 ? count : 1;
+        private static long Elements(long count) => count > 0 ? count : 1;
 
         /// <summary>
-        /// Creates a buffer for the arguments of indirect draws or dispatches, which kernels declare as (RW)ByteAddressBuffer. On Direct3D 11 such
-        /// a buffer is never structured: the reference of <see cref="GraphicsBuffer.Target.IndirectArguments"/> gives it views of 32-bit numbers.
+        /// Creates a buffer for the arguments of indirect draws or dispatches, which kernels declare as (RW)ByteAddressBuffer. On Direct3D
+        /// 11 such a buffer is never structured: the reference of <see cref="GraphicsBuffer.Target.IndirectArguments"/> gives it views of
+        /// 32-bit numbers.
         /// </summary>
         /// <param name="name">Name shown by frame debuggers and error messages.</param>
         /// <param name="count">Number of arguments, uint each.</param>

@@ -8,10 +8,10 @@ namespace SphFluid
     /// <summary>Brings a few numbers of a buffer to the CPU without waiting for the GPU, or with.</summary>
     internal sealed class NumberReadback : IDisposable
     {
-        readonly uint[] values;
-        readonly Action<AsyncGPUReadbackRequest> received;
-        readonly Action<uint[]> taken;
-        bool disposed;
+        private readonly uint[] values;
+        private readonly Action<AsyncGPUReadbackRequest> received;
+        private readonly Action<uint[]> taken;
+        private bool disposed;
 
         /// <summary>Requested read-backs that have arrived or failed.</summary>
         public long Received { get; private set; }
@@ -28,10 +28,7 @@ namespace SphFluid
         /// <summary>Records the read-back; devices without asynchronous read-back use <see cref="ReadNow"/>.</summary>
         public void RecordRequest(CommandBuffer cmd, GraphicsBuffer buffer)
         {
-            if (SystemInfo.supportsAsyncGPUReadback)
-            {
-                cmd.RequestAsyncReadback(buffer, received);
-            }
+            if (SystemInfo.supportsAsyncGPUReadback) cmd.RequestAsyncReadback(buffer, received);
         }
 
         /// <summary>Waits for the GPU.</summary>
@@ -47,7 +44,7 @@ namespace SphFluid
             disposed = true;
         }
 
-        void Receive(AsyncGPUReadbackRequest request)
+        private void Receive(AsyncGPUReadbackRequest request)
         {
             Received++;
             if (!disposed && !request.hasError)

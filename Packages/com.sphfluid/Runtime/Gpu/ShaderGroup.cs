@@ -12,13 +12,15 @@ namespace SphFluid
         /// <summary>The sparse surface.</summary>
         public static readonly ShaderGroup Surface = new ShaderGroup("the surface", "Shaders/Surface/Sparse",
             groupThreads: 256, buffers: 8, writableBuffers: 4, groupMemory: 12464, vertexBuffers: 0,
-            "ClearSurfaceBlocks", "PrepareSurfaceParticles", "ListSpray", "ListSurfaceBlocks", "SampleBlocks", "CountBlocks", "SurfaceDrawArguments",
+            "ClearSurfaceBlocks", "PrepareSurfaceParticles", "ListSpray", "ListSurfaceBlocks", "SampleBlocks", "CountBlocks",
+            "SurfaceDrawArguments",
             "EmitBlocks", "WriteSurfaceMesh");
 
         /// <summary>What draws particles and the sparse surface.</summary>
         public static readonly ShaderGroup Drawing = new ShaderGroup("the drawing", "Shaders/Rendering",
             groupThreads: 0, buffers: 0, writableBuffers: 0, groupMemory: 0, vertexBuffers: 1,
-            "SPH Fluid/Particles", "SPH Fluid/Surface", "SPH Fluid/Water", "Hidden/SPH Fluid/Water Thickness", "Hidden/SPH Fluid/Water Depth",
+            "SPH Fluid/Particles", "SPH Fluid/Surface", "SPH Fluid/Water", "Hidden/SPH Fluid/Water Thickness",
+            "Hidden/SPH Fluid/Water Depth",
             "Hidden/SPH Fluid/Water From Within", "Hidden/SPH Fluid/Spray", "Hidden/SPH Fluid/Spray Behind Water",
             "Hidden/SPH Fluid/Shadow Constants");
 
@@ -41,9 +43,11 @@ namespace SphFluid
         /// <summary>Spray, foam and bubbles.</summary>
         public static readonly ShaderGroup Whitewater = new ShaderGroup("whitewater", "Shaders/Whitewater",
             groupThreads: 256, buffers: 8, writableBuffers: 3, groupMemory: 4096, vertexBuffers: 1,
-            "WhitewaterPotentials", "WhitewaterMotion", "WhitewaterList", "Hidden/SPH Fluid/Whitewater", "Hidden/SPH Fluid/Whitewater Behind Water");
+            "WhitewaterPotentials", "WhitewaterMotion", "WhitewaterList", "Hidden/SPH Fluid/Whitewater",
+            "Hidden/SPH Fluid/Whitewater Behind Water");
 
-        public ShaderGroup(string part, string folder, int groupThreads, int buffers, int writableBuffers, int groupMemory, int vertexBuffers,
+        public ShaderGroup(string part, string folder, int groupThreads, int buffers, int writableBuffers, int groupMemory,
+            int vertexBuffers,
             params string[] shaders)
         {
             Part = part;
@@ -57,9 +61,10 @@ namespace SphFluid
         }
 
         /// <summary>This group, which cannot do without another that it shares with others.</summary>
-        public ShaderGroup With(ShaderGroup shared) => new ShaderGroup(Part, Folder, GroupThreads, Buffers, WritableBuffers, GroupMemory, VertexBuffers,
+        public ShaderGroup With(ShaderGroup shared) =>
+            new ShaderGroup(Part, Folder, GroupThreads, Buffers, WritableBuffers, GroupMemory, VertexBuffers,
             new List<string>(Shaders).ToArray())
-        { Shared = shared };
+            { Shared = shared };
 
         /// <summary>The group that this one cannot do without; null for none.</summary>
         public ShaderGroup Shared { get; private set; }
@@ -99,7 +104,9 @@ namespace SphFluid
         /// <summary>Those that it writes; Direct3D 11.0 has 8. Unity does not say what a device has.</summary>
         public int WritableBuffers { get; }
 
-        /// <summary>Bytes that the threads of a group share; Vulkan and OpenGL ES 3.1 promise 16,384. Unity does not say what a device has.</summary>
+        /// <summary>
+        /// Bytes that the threads of a group share; Vulkan and OpenGL ES 3.1 promise 16,384. Unity does not say what a device has.
+        /// </summary>
         public int GroupMemory { get; }
 
         /// <summary>Buffers that a vertex shader reads.</summary>
@@ -110,13 +117,21 @@ namespace SphFluid
         {
             int threads = Math.Max(GroupThreads, Shared?.GroupThreads ?? 0), buffers = Math.Max(Buffers, Shared?.Buffers ?? 0);
             if (device.GroupThreads < threads)
+            {
                 yield return $"{device.Name} runs compute groups of {device.GroupThreads} threads; {Part} needs {threads}.";
+            }
             if (device.ComputeBuffers < buffers)
+            {
                 yield return $"{device.Name} binds {device.ComputeBuffers} buffers to a compute shader; {Part} needs {buffers}.";
+            }
             if (device.VertexBuffers < VertexBuffers)
+            {
                 yield return $"{device.Name} binds {device.VertexBuffers} buffers to a vertex shader; {Part} needs {VertexBuffers}.";
+            }
             if (NeedsGeometryShaders && !device.GeometryShaders)
+            {
                 yield return $"{device.Name} has no geometry shaders, which {Part} is made with.";
+            }
         }
     }
 }

@@ -12,16 +12,16 @@ namespace SphFluid
         /// <summary>Numbers of the sums a box.</summary>
         public const int Sums = 3;
 
-        const int BoxesAtOnce = 16;
+        private const int BoxesAtOnce = 16;
 
-        static readonly int BoxSums = Id("_BoxSums");
-        static readonly int ParticleCount = Id("_ParticleCount");
-        static readonly int FirstBox = Id("_FirstBox");
-        static readonly int ParticleSide = Id("_ParticleSide");
-        static readonly int RestShare = Id("_RestShare");
+        private static readonly int BoxSums = Id("_BoxSums");
+        private static readonly int ParticleCount = Id("_ParticleCount");
+        private static readonly int FirstBox = Id("_FirstBox");
+        private static readonly int ParticleSide = Id("_ParticleSide");
+        private static readonly int RestShare = Id("_RestShare");
 
-        readonly ComputeKernel sum, answer;
-        GraphicsBuffer kept;
+        private readonly ComputeKernel sum, answer;
+        private GraphicsBuffer kept;
 
         public AnswerBoxesPass(FluidShaderSet shaders)
             : base(shaders, ShaderName)
@@ -45,7 +45,8 @@ namespace SphFluid
 
         /// <param name="cmd">Command buffer to record into, after the neighbour setup.</param>
         /// <param name="target">The liquid and the answers.</param>
-        /// <param name="queries">Four words a box: centre [m] and generation, and three axes of length 1 and half the length along each [m].</param>
+        /// <param name="queries">Four words a box: centre [m] and generation, and three axes of length 1 and half the length along each
+        /// [m].</param>
         /// <param name="sums">Numbers that are zero, <see cref="Sums"/> a box; they are again afterwards.</param>
         /// <param name="count">Number of boxes.</param>
         /// <param name="first">Of their answers.</param>
@@ -64,12 +65,13 @@ namespace SphFluid
                 Set(cmd, answer, target, queries, sums, count, side);
                 QueryBindings.SetResults(cmd, answer, target, first);
                 FluidSolverSettings settings = target.Solver.Settings;
-                answer.SetFloat(cmd, RestShare, (float)(settings.ParticleMass / (settings.RestDensity * System.Math.Pow(settings.Spacing, 3.0))));
+                answer.SetFloat(cmd, RestShare,
+                    (float)(settings.ParticleMass / (settings.RestDensity * System.Math.Pow(settings.Spacing, 3.0))));
                 answer.DispatchThreads(cmd, count);
             }
         }
 
-        void Reserve(int sums, RetiredBuffers retired)
+        private void Reserve(int sums, RetiredBuffers retired)
         {
             if (kept != null && kept.count >= sums) return;
             if (kept != null) retired.Add(kept);
@@ -77,7 +79,8 @@ namespace SphFluid
             kept.SetData(new uint[sums]);
         }
 
-        static void Set(CommandBuffer cmd, ComputeKernel kernel, in QueryTarget target, GraphicsBuffer queries, GraphicsBuffer sums, int count, float side)
+        private static void Set(CommandBuffer cmd, ComputeKernel kernel, in QueryTarget target, GraphicsBuffer queries, GraphicsBuffer sums,
+            int count, float side)
         {
             QueryBindings.SetSpace(cmd, kernel, target);
             QueryBindings.SetQueries(cmd, kernel, queries, count);

@@ -9,11 +9,11 @@ namespace SphFluid
         public const string ShaderName = "AnswerNearest";
         public const int Words = 2;
 
-        const int GroupThreads = 256;
+        private const int GroupThreads = 256;
 
-        static readonly int ParticleCount = Id("_ParticleCount");
+        private static readonly int ParticleCount = Id("_ParticleCount");
 
-        readonly ComputeKernel kernel;
+        private readonly ComputeKernel kernel;
 
         public AnswerNearestPass(FluidShaderSet shaders)
             : base(shaders, ShaderName)
@@ -22,7 +22,8 @@ namespace SphFluid
         }
 
         /// <inheritdoc/>
-        public override void Record(CommandBuffer cmd, in QueryTarget target, in QueryBatch asked) => Record(cmd, target, asked.Words, asked.Count, asked.First);
+        public override void Record(CommandBuffer cmd, in QueryTarget target, in QueryBatch asked) =>
+            Record(cmd, target, asked.Words, asked.Count, asked.First);
 
         /// <param name="cmd">Command buffer to record into, after the neighbour setup.</param>
         /// <param name="target">The liquid and the answers.</param>

@@ -9,19 +9,19 @@ namespace SphFluid
         public const string ShaderName = "AnswerPatches";
         public const int Words = 3;
 
-        static readonly int PatchesBefore = Id("_PatchesBefore");
-        static readonly int PatchSums = Id("_PatchSums");
-        static readonly int KeysBefore = Id("_KeysBefore");
-        static readonly int PlacesBefore = Id("_PlacesBefore");
-        static readonly int Keys = Id("_Keys");
-        static readonly int Places = Id("_Places");
-        static readonly int ParticleCount = Id("_ParticleCount");
-        static readonly int TableMask = Id("_TableMask");
-        static readonly int TableMaskBefore = Id("_TableMaskBefore");
-        static readonly int ParticleVolume = Id("_ParticleVolume");
+        private static readonly int PatchesBefore = Id("_PatchesBefore");
+        private static readonly int PatchSums = Id("_PatchSums");
+        private static readonly int KeysBefore = Id("_KeysBefore");
+        private static readonly int PlacesBefore = Id("_PlacesBefore");
+        private static readonly int Keys = Id("_Keys");
+        private static readonly int Places = Id("_Places");
+        private static readonly int ParticleCount = Id("_ParticleCount");
+        private static readonly int TableMask = Id("_TableMask");
+        private static readonly int TableMaskBefore = Id("_TableMaskBefore");
+        private static readonly int ParticleVolume = Id("_ParticleVolume");
 
-        readonly ComputeKernel clear, flows, answer;
-        readonly PatchSums kept = new PatchSums();
+        private readonly ComputeKernel clear, flows, answer;
+        private readonly PatchSums kept = new PatchSums();
 
         public AnswerPatchesPass(FluidShaderSet shaders)
             : base(shaders, ShaderName)
@@ -46,7 +46,8 @@ namespace SphFluid
 
         /// <param name="cmd">Command buffer to record into, after the neighbour setup.</param>
         /// <param name="target">The liquid and the answers.</param>
-        /// <param name="queries">Three words a rectangle: centre [m] and generation, and two edges' directions and half their lengths [m].</param>
+        /// <param name="queries">Three words a rectangle: centre [m] and generation, and two edges' directions and half their lengths
+        /// [m].</param>
         /// <param name="sums">What goes on from look to look.</param>
         /// <param name="count">Number of rectangles.</param>
         /// <param name="first">Of their answers.</param>
@@ -79,7 +80,7 @@ namespace SphFluid
             sums.Swap();
         }
 
-        static void SetSums(CommandBuffer cmd, ComputeKernel kernel, PatchSums sums)
+        private static void SetSums(CommandBuffer cmd, ComputeKernel kernel, PatchSums sums)
         {
             kernel.SetBuffer(cmd, PatchesBefore, sums.Patches);
             kernel.SetBuffer(cmd, PatchSums, sums.Sums);

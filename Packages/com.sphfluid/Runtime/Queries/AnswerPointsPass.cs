@@ -8,9 +8,9 @@ namespace SphFluid
     {
         public const string ShaderName = "AnswerPoints";
 
-        static readonly int Pressure = Id("_Pressure");
+        private static readonly int Pressure = Id("_Pressure");
 
-        readonly ComputeKernel kernel;
+        private readonly ComputeKernel kernel;
 
         public AnswerPointsPass(FluidShaderSet shaders)
             : base(shaders, ShaderName)
@@ -19,7 +19,8 @@ namespace SphFluid
         }
 
         /// <inheritdoc/>
-        public override void Record(CommandBuffer cmd, in QueryTarget target, in QueryBatch asked) => Record(cmd, target, asked.Words, asked.Count, asked.First);
+        public override void Record(CommandBuffer cmd, in QueryTarget target, in QueryBatch asked) =>
+            Record(cmd, target, asked.Words, asked.Count, asked.First);
 
         /// <param name="cmd">Command buffer to record into, after the neighbour setup.</param>
         /// <param name="target">The liquid and the answers.</param>

@@ -9,9 +9,9 @@ namespace SphFluid
         public const string ShaderName = "AnswerRays";
         public const int Words = 2;
 
-        static readonly int StepLength = Id("_StepLength");
+        private static readonly int StepLength = Id("_StepLength");
 
-        readonly ComputeKernel kernel;
+        private readonly ComputeKernel kernel;
 
         public AnswerRaysPass(FluidShaderSet shaders)
             : base(shaders, ShaderName)
@@ -20,7 +20,8 @@ namespace SphFluid
         }
 
         /// <inheritdoc/>
-        public override void Record(CommandBuffer cmd, in QueryTarget target, in QueryBatch asked) => Record(cmd, target, asked.Words, asked.Count, asked.First);
+        public override void Record(CommandBuffer cmd, in QueryTarget target, in QueryBatch asked) =>
+            Record(cmd, target, asked.Words, asked.Count, asked.First);
 
         /// <param name="cmd">Command buffer to record into, after the neighbour setup.</param>
         /// <param name="target">The liquid and the answers.</param>

@@ -3,7 +3,10 @@ using UnityEngine;
 
 namespace SphFluid
 {
-    /// <summary>How much liquid a box holds. A particle counts with the part that is in the box of a cube of a particle spacing, along the axes of the box.</summary>
+    /// <summary>
+    /// How much liquid a box holds. A particle counts with the part that is in the box of a cube of a particle spacing, along the axes of
+    /// the box.
+    /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     public struct FluidBoxResult
     {
@@ -11,8 +14,8 @@ namespace SphFluid
         public float Volume;
 
         /// <summary>
-        /// Part of the box that the liquid takes once it is at rest, at most 1. At rest it has its density by mass, m/ρ0 a particle: about a fiftieth less than
-        /// <see cref="Volume"/>, which is that of the lattice from which it came.
+        /// Part of the box that the liquid takes once it is at rest, at most 1. At rest it has its density by mass, m/ρ0 a particle: about
+        /// a fiftieth less than <see cref="Volume"/>, which is that of the lattice from which it came.
         /// </summary>
         public float Fill;
 

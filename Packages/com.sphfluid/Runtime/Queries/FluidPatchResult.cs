@@ -4,8 +4,8 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>
-    /// How much liquid went through a rectangle since it was asked for. The sums go on from answer to answer, so that nothing is lost between two; over the
-    /// difference of <see cref="FluidQueries.AnsweredTime"/> they are a flow [m³/s].
+    /// How much liquid went through a rectangle since it was asked for. The sums go on from answer to answer, so that nothing is lost
+    /// between two; over the difference of <see cref="FluidQueries.AnsweredTime"/> they are a flow [m³/s].
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     public struct FluidPatchResult

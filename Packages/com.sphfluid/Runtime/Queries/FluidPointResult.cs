@@ -13,7 +13,10 @@ namespace SphFluid
         /// <summary>Mean velocity of the particles around in world space [m/s]; 0 where there are none.</summary>
         public Vector3 Velocity;
 
-        /// <summary>Density [kg/m³] by summation over the kernel's part inside the domain: near the rest density within liquid, half of it at the surface, 0 without liquid.</summary>
+        /// <summary>
+        /// Density [kg/m³] by summation over the kernel's part inside the domain: near the rest density within liquid, half of it at the
+        /// surface, 0 without liquid.
+        /// </summary>
         public float Density;
 
         /// <summary>Mean pressure of the particles around [Pa]. Noisy: average it over time.</summary>

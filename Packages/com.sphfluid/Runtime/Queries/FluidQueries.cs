@@ -7,17 +7,18 @@ using Object = UnityEngine.Object;
 namespace SphFluid
 {
     /// <summary>
-    /// Questions to a liquid that the GPU answers without a stall: all of a frame in one dispatch and one read-back, whose answers come some
-    /// frames later. Requests stay until they are removed and are answered again each frame; they outlive a new start, their answers do not.
+    /// Questions to a liquid that the GPU answers without a stall: all of a frame in one dispatch and one read-back, whose answers come
+    /// some frames later. Requests stay until they are removed and are answered again each frame; they outlive a new start, their answers
+    /// do not.
     /// </summary>
     public sealed class FluidQueries : IDisposable
     {
-        readonly Object owner;
-        readonly Action<FluidMessage> report;
-        readonly QuerySet asked = new QuerySet();
-        readonly QueryAnswers answers;
-        bool disposed;
-        double now;
+        private readonly Object owner;
+        private readonly Action<FluidMessage> report;
+        private readonly QuerySet asked = new QuerySet();
+        private readonly QueryAnswers answers;
+        private bool disposed;
+        private double now;
 
         internal FluidQueries(Object owner, Action<FluidMessage> report)
         {
@@ -47,10 +48,14 @@ namespace SphFluid
         /// <summary>Number of the request that the present answers are of; 0 while there are none.</summary>
         internal long Answer => Current?.Number ?? 0;
 
-        /// <summary>All present answers of points, by <see cref="FluidQuery.Index"/>, for jobs that end within the frame; empty while there are none. Only <see cref="TryGet"/> knows whose they are.</summary>
-        public NativeArray<FluidPointResult>.ReadOnly Points => Current == null ? default : Current.GetAnswers<FluidPointResult>(QueryKind.Point).AsReadOnly();
+        /// <summary>
+        /// All present answers of points, by <see cref="FluidQuery.Index"/>, for jobs that end within the frame; empty while there are
+        /// none. Only <see cref="TryGet"/> knows whose they are.
+        /// </summary>
+        public NativeArray<FluidPointResult>.ReadOnly Points => Current == null ? default
+            : Current.GetAnswers<FluidPointResult>(QueryKind.Point).AsReadOnly();
 
-        QueryReadback Current => answers.Current;
+        private QueryReadback Current => answers.Current;
 
         /// <summary>Asks what the liquid is at a point.</summary>
         /// <param name="world">World position [m].</param>
@@ -156,7 +161,9 @@ namespace SphFluid
             SetBox(query, centre, size, rotation);
         }
 
-        /// <summary>Asks for the particle nearest to another place from now on. Until the answer of that one arrives, that of the last one stays.</summary>
+        /// <summary>
+        /// Asks for the particle nearest to another place from now on. Until the answer of that one arrives, that of the last one stays.
+        /// </summary>
         /// <param name="query">The request of a nearest particle.</param>
         /// <param name="world">World position [m].</param>
         /// <param name="distance">How far to look [m].</param>
@@ -168,7 +175,9 @@ namespace SphFluid
             Set(query, world, second);
         }
 
-        /// <summary>Moves a rectangle, in a straight line from its place at the last look. What it passes over meanwhile went through it.</summary>
+        /// <summary>
+        /// Moves a rectangle, in a straight line from its place at the last look. What it passes over meanwhile went through it.
+        /// </summary>
         /// <param name="query">The request of a rectangle.</param>
         /// <param name="centre">World position of its centre [m].</param>
         /// <param name="size">Edge lengths along its x and y axes [m].</param>
@@ -188,32 +197,40 @@ namespace SphFluid
         /// <summary>The latest answer to a request of a point.</summary>
         /// <param name="query">The request.</param>
         /// <param name="result">The answer, a copy.</param>
-        /// <returns>False until the first answer, for removed requests and those of other kinds, and while the liquid does not run.</returns>
-        public bool TryGet(FluidQuery query, out FluidPointResult result) => TryFind(QueryKind.Point, query, out result) && result.Generation == query.Generation;
+        /// <returns>False until the first answer, for removed requests and those of other kinds, and while the liquid does not
+        /// run.</returns>
+        public bool TryGet(FluidQuery query, out FluidPointResult result) => TryFind(QueryKind.Point, query, out result) &&
+            result.Generation == query.Generation;
 
         /// <summary>The latest answer to a request of a ray.</summary>
         /// <param name="query">The request.</param>
         /// <param name="result">The answer, a copy.</param>
-        /// <returns>False until the first answer, for removed requests and those of other kinds, and while the liquid does not run.</returns>
-        public bool TryGetRay(FluidQuery query, out FluidRayResult result) => TryFind(QueryKind.Ray, query, out result) && result.Generation == query.Generation;
+        /// <returns>False until the first answer, for removed requests and those of other kinds, and while the liquid does not
+        /// run.</returns>
+        public bool TryGetRay(FluidQuery query, out FluidRayResult result) => TryFind(QueryKind.Ray, query, out result) &&
+            result.Generation == query.Generation;
 
         /// <summary>The latest answer to a request of a box.</summary>
         /// <param name="query">The request.</param>
         /// <param name="result">The answer, a copy.</param>
-        /// <returns>False until the first answer, for removed requests and those of other kinds, and while the liquid does not run.</returns>
-        public bool TryGetBox(FluidQuery query, out FluidBoxResult result) => TryFind(QueryKind.Box, query, out result) && result.Generation == query.Generation;
+        /// <returns>False until the first answer, for removed requests and those of other kinds, and while the liquid does not
+        /// run.</returns>
+        public bool TryGetBox(FluidQuery query, out FluidBoxResult result) => TryFind(QueryKind.Box, query, out result) &&
+            result.Generation == query.Generation;
 
         /// <summary>The latest answer to a request of a nearest particle.</summary>
         /// <param name="query">The request.</param>
         /// <param name="result">The answer, a copy.</param>
-        /// <returns>False until the first answer, for removed requests and those of other kinds, and while the liquid does not run.</returns>
+        /// <returns>False until the first answer, for removed requests and those of other kinds, and while the liquid does not
+        /// run.</returns>
         public bool TryGetNearest(FluidQuery query, out FluidNearestResult result) =>
             TryFind(QueryKind.Nearest, query, out result) && result.Generation == query.Generation;
 
         /// <summary>The latest answer to a request of a rectangle.</summary>
         /// <param name="query">The request.</param>
         /// <param name="result">The answer, a copy.</param>
-        /// <returns>False until the first answer, for removed requests and those of other kinds, and while the liquid does not run.</returns>
+        /// <returns>False until the first answer, for removed requests and those of other kinds, and while the liquid does not
+        /// run.</returns>
         public bool TryGetPatch(FluidQuery query, out FluidPatchResult result) =>
             TryFind(QueryKind.Patch, query, out result) && result.Generation == query.Generation;
 
@@ -239,33 +256,33 @@ namespace SphFluid
         /// <summary>The liquid is gone: its answers too, and the GPU memory.</summary>
         internal void Detach() => answers.Detach();
 
-        void Set(FluidQuery query, Vector3 place, in QueryWord second)
+        private void Set(FluidQuery query, Vector3 place, in QueryWord second)
         {
             QuerySlots slots = asked[query.Kind];
             slots.Set(query, place);
             slots.Set(query, 1, second);
         }
 
-        void SetBox(FluidQuery query, Vector3 centre, Vector3 size, Quaternion rotation)
+        private void SetBox(FluidQuery query, Vector3 centre, Vector3 size, Quaternion rotation)
         {
             SetEdges(query, centre, size, rotation);
             asked[QueryKind.Box].Set(query, 3, new QueryWord(rotation * Vector3.forward, 0.5f * size.z));
         }
 
-        void SetEdges(FluidQuery query, Vector3 centre, Vector2 size, Quaternion rotation)
+        private void SetEdges(FluidQuery query, Vector3 centre, Vector2 size, Quaternion rotation)
         {
             Set(query, centre, new QueryWord(rotation * Vector3.right, 0.5f * size.x));
             asked[query.Kind].Set(query, 2, new QueryWord(rotation * Vector3.up, 0.5f * size.y));
         }
 
-        bool TryFind<T>(QueryKind kind, FluidQuery query, out T result) where T : struct
+        private bool TryFind<T>(QueryKind kind, FluidQuery query, out T result) where T : struct
         {
             result = default;
             return Current != null && asked[kind].Has(query) && Current.TryGet(kind, query.Index, out result);
         }
 
         // A liquid whose device or shaders cannot answer is not asked again; the next start is.
-        void Attach(FluidSolver liquid, FluidShaderSet shaders)
+        private void Attach(FluidSolver liquid, FluidShaderSet shaders)
         {
             try
             {
@@ -273,7 +290,8 @@ namespace SphFluid
             }
             catch (FluidDeviceException exception)
             {
-                report(new FluidMessage(FluidSeverity.Warning, FluidIssue.QueriesUnavailable, owner, "Fluid queries are not answered: " + exception.Message,
+                report(new FluidMessage(FluidSeverity.Warning, FluidIssue.QueriesUnavailable, owner,
+                    "Fluid queries are not answered: " + exception.Message,
                     "Use the package's shader set and a device that can read back without waiting."));
             }
         }

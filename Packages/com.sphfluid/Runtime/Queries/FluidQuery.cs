@@ -6,7 +6,7 @@ namespace SphFluid
     public readonly struct FluidQuery : IEquatable<FluidQuery>
     {
         internal readonly uint Generation;
-        readonly int kind;
+        private readonly int kind;
 
         internal FluidQuery(QueryKind kind, int index, uint generation)
         {
@@ -17,7 +17,10 @@ namespace SphFluid
 
         internal QueryKind Kind => QueryKind.All[kind];
 
-        /// <summary>Its place among the requests of its kind, of a point in <see cref="FluidQueries.Points"/>; later requests have it once this one is removed.</summary>
+        /// <summary>
+        /// Its place among the requests of its kind, of a point in <see cref="FluidQueries.Points"/>; later requests have it once this one
+        /// is removed.
+        /// </summary>
         public int Index { get; }
 
         /// <summary>Whether both are the same request.</summary>

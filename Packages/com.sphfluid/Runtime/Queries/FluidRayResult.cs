@@ -3,7 +3,10 @@ using UnityEngine;
 
 namespace SphFluid
 {
-    /// <summary>Where a ray meets the liquid's surface: the density is half the rest density there, as <see cref="FluidPointResult.Density"/> has it.</summary>
+    /// <summary>
+    /// Where a ray meets the liquid's surface: the density is half the rest density there, as <see cref="FluidPointResult.Density"/> has
+    /// it.
+    /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     public struct FluidRayResult
     {

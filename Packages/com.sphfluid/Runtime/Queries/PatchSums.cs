@@ -3,13 +3,15 @@ using UnityEngine;
 
 namespace SphFluid
 {
-    /// <summary>What the flow through rectangles needs from look to look: their sums, where they were, and where the particles were.</summary>
+    /// <summary>
+    /// What the flow through rectangles needs from look to look: their sums, where they were, and where the particles were.
+    /// </summary>
     internal sealed class PatchSums : IDisposable
     {
         /// <summary>Places of particles, found by their ids.</summary>
         internal sealed class Table
         {
-            GraphicsBuffer keys, places;
+            private GraphicsBuffer keys, places;
 
             /// <summary>Ids plus one; 0: empty.</summary>
             public GraphicsBuffer Keys => keys;
@@ -39,7 +41,7 @@ namespace SphFluid
             }
         }
 
-        GraphicsBuffer patches, sums;
+        private GraphicsBuffer patches, sums;
 
         /// <summary>The rectangles at the look before.</summary>
         public GraphicsBuffer Patches => patches;
@@ -79,7 +81,7 @@ namespace SphFluid
             Now.Dispose();
         }
 
-        static void Grow<T>(ref GraphicsBuffer buffer, string name, int count, int stride, RetiredBuffers retired) where T : struct
+        private static void Grow<T>(ref GraphicsBuffer buffer, string name, int count, int stride, RetiredBuffers retired) where T : struct
         {
             if (buffer != null && buffer.count >= count) return;
             var items = new T[count];

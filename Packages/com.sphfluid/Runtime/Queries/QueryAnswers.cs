@@ -4,21 +4,23 @@ using UnityEngine.Rendering;
 
 namespace SphFluid
 {
-    /// <summary>Has a liquid answer the questions of each frame, and keeps the newest answers: a few read-backs that are used again and again.</summary>
+    /// <summary>
+    /// Has a liquid answer the questions of each frame, and keeps the newest answers: a few read-backs that are used again and again.
+    /// </summary>
     internal sealed class QueryAnswers : IDisposable
     {
-        const int Readbacks = 4, MostUnderWay = 3;
+        private const int Readbacks = 4, MostUnderWay = 3;
 
-        readonly QuerySet asked;
-        readonly Action received;
-        readonly int[] ranges = new int[QueryKind.All.Count + 1];
-        readonly QueryReadback[] readbacks = new QueryReadback[Readbacks];
-        FluidSolver solver;
-        QueryPasses passes;
-        CommandBuffer commands;
-        GraphicsBuffer results;
-        long number;
-        int run;
+        private readonly QuerySet asked;
+        private readonly Action received;
+        private readonly int[] ranges = new int[QueryKind.All.Count + 1];
+        private readonly QueryReadback[] readbacks = new QueryReadback[Readbacks];
+        private FluidSolver solver;
+        private QueryPasses passes;
+        private CommandBuffer commands;
+        private GraphicsBuffer results;
+        private long number;
+        private int run;
 
         /// <param name="asked">The questions.</param>
         /// <param name="received">Called on the main thread when newer answers have arrived.</param>
@@ -44,7 +46,10 @@ namespace SphFluid
         {
             Detach();
             solver = liquid;
-            if (!SystemInfo.supportsAsyncGPUReadback) throw new FluidDeviceException($"{SystemInfo.graphicsDeviceName} has no asynchronous readback.");
+            if (!SystemInfo.supportsAsyncGPUReadback)
+            {
+                throw new FluidDeviceException($"{SystemInfo.graphicsDeviceName} has no asynchronous readback.");
+            }
             passes = new QueryPasses(shaders);
             commands ??= new CommandBuffer { name = "Fluid Queries" };
         }
@@ -74,7 +79,8 @@ namespace SphFluid
             asked.CopyRanges(ranges);
             commands.Clear();
             solver.RecordNeighbourSetup(commands);
-            passes.Record(commands, new QueryTarget { Solver = solver, Position = position, Rotation = rotation, Results = results }, asked, ranges);
+            passes.Record(commands, new QueryTarget { Solver = solver, Position = position, Rotation = rotation, Results = results },
+                asked, ranges);
             Graphics.ExecuteCommandBuffer(commands);
             readback.Request(results, ranges, ++number, run, time);
         }
@@ -95,7 +101,7 @@ namespace SphFluid
             commands = null;
         }
 
-        QueryReadback FreeReadback()
+        private QueryReadback FreeReadback()
         {
             QueryReadback found = null;
             int underWay = 0;
@@ -107,7 +113,7 @@ namespace SphFluid
             return underWay < MostUnderWay ? found : null;
         }
 
-        void Reserve()
+        private void Reserve()
         {
             RetiredBuffers retired = solver.State.Retired;
             asked.Upload(retired);
@@ -117,7 +123,7 @@ namespace SphFluid
             results = GpuBuffers.Create("Fluid Query Results", capacity, QueryReadback.Stride);
         }
 
-        void Receive(QueryReadback arrived)
+        private void Receive(QueryReadback arrived)
         {
             if (arrived.Run != run || Current != null && Current.Number > arrived.Number) return;
             Current = arrived;

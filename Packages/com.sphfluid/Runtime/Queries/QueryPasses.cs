@@ -5,7 +5,7 @@ namespace SphFluid
     /// <summary>The passes that answer the questions of a frame, each only where its kind is asked.</summary>
     internal sealed class QueryPasses
     {
-        readonly QueryPass[] passes = new QueryPass[QueryKind.All.Count];
+        private readonly QueryPass[] passes = new QueryPass[QueryKind.All.Count];
 
         /// <exception cref="FluidDeviceException">A shader is missing, or the device cannot run it.</exception>
         public QueryPasses(FluidShaderSet shaders)
@@ -35,7 +35,9 @@ namespace SphFluid
             {
                 QuerySlots slots = asked[QueryKind.All[i]];
                 if (slots.Used == 0) continue;
-                passes[i].Record(cmd, target, new QueryBatch { Words = slots.Buffer, Count = slots.Used, Capacity = slots.Capacity, First = firsts[i] });
+                passes[i]
+                    .Record(cmd, target,
+                        new QueryBatch { Words = slots.Buffer, Count = slots.Used, Capacity = slots.Capacity, First = firsts[i] });
             }
         }
 

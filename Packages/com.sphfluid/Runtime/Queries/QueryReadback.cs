@@ -13,16 +13,16 @@ namespace SphFluid
         public const int Stride = 32;
 
         [StructLayout(LayoutKind.Sequential, Size = Stride)]
-        struct Answer
+        private struct Answer
         {
         }
 
-        readonly Action<QueryReadback> arrived;
-        readonly Action<AsyncGPUReadbackRequest> received;
-        AsyncGPUReadbackRequest request;
-        NativeArray<Answer> values;
-        readonly int[] firsts = new int[QueryKind.All.Count + 1];
-        int late;
+        private readonly Action<QueryReadback> arrived;
+        private readonly Action<AsyncGPUReadbackRequest> received;
+        private AsyncGPUReadbackRequest request;
+        private NativeArray<Answer> values;
+        private readonly int[] firsts = new int[QueryKind.All.Count + 1];
+        private int late;
 
         public QueryReadback(Action<QueryReadback> arrived)
         {
@@ -83,21 +83,21 @@ namespace SphFluid
             Free();
         }
 
-        void Receive(AsyncGPUReadbackRequest answer)
+        private void Receive(AsyncGPUReadbackRequest answer)
         {
             if (late > 0) late--;
             else if (UnderWay) Finish(answer.hasError);
         }
 
-        void Finish(bool failed)
+        private void Finish(bool failed)
         {
             UnderWay = false;
             if (!failed) arrived(this);
         }
 
-        (int first, int count) Range(QueryKind kind) => (firsts[kind.Index], firsts[kind.Index + 1] - firsts[kind.Index]);
+        private (int first, int count) Range(QueryKind kind) => (firsts[kind.Index], firsts[kind.Index + 1] - firsts[kind.Index]);
 
-        void Free()
+        private void Free()
         {
             if (values.IsCreated) values.Dispose();
             values = default;

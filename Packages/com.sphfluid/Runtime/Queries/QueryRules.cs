@@ -11,7 +11,10 @@ namespace SphFluid
             Require.Finite(origin, nameof(origin));
             float magnitude = direction.magnitude;
             if (!AffineMath.IsFinite(magnitude) || magnitude == 0f)
-                throw new ArgumentException($"The direction {direction} of a ray has no finite length above 0. Give another.", nameof(direction));
+            {
+                throw new ArgumentException($"The direction {direction} of a ray has no finite length above 0. Give another.",
+                    nameof(direction));
+            }
             length = Mathf.Min(float.MaxValue, length); // NaN stays
             Require.Positive(length, nameof(length));
             return new QueryWord(direction / magnitude, length);

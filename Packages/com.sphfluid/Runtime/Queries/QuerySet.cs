@@ -6,8 +6,8 @@ namespace SphFluid
     /// <summary>The requests of all kinds; their answers lie in one buffer, kind after kind.</summary>
     internal sealed class QuerySet
     {
-        readonly QuerySlots[] kinds = new QuerySlots[QueryKind.All.Count];
-        uint lastGeneration;
+        private readonly QuerySlots[] kinds = new QuerySlots[QueryKind.All.Count];
+        private uint lastGeneration;
 
         public QuerySet()
         {
@@ -57,7 +57,9 @@ namespace SphFluid
         public void Require(FluidQuery query, QueryKind kind)
         {
             if (!this[kind].Has(query))
+            {
                 throw new ArgumentException($"The query was removed, or is no {kind.Name}'s. Add it first.", nameof(query));
+            }
         }
 
         /// <summary>Where the answers of each kind begin, and, last, how many there are.</summary>

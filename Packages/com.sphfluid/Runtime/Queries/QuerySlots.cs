@@ -7,12 +7,12 @@ namespace SphFluid
     /// <summary>The requests of one kind: a place each, which the next one gets when it is removed, and their words on the GPU.</summary>
     internal sealed class QuerySlots
     {
-        readonly QueryKind kind;
-        readonly int words;
-        readonly Stack<int> free = new Stack<int>();
-        QueryWord[] items = Array.Empty<QueryWord>();
-        GraphicsBuffer buffer;
-        bool changed;
+        private readonly QueryKind kind;
+        private readonly int words;
+        private readonly Stack<int> free = new Stack<int>();
+        private QueryWord[] items = Array.Empty<QueryWord>();
+        private GraphicsBuffer buffer;
+        private bool changed;
 
         public QuerySlots(QueryKind kind)
         {

@@ -21,18 +21,18 @@ namespace SphFluid
     /// <summary>Records the globals of Shaders/Queries/QuerySpace.hlsl and QueryDensity.hlsl.</summary>
     internal static class QueryBindings
     {
-        static readonly int Queries = Shader.PropertyToID("_Queries");
-        static readonly int Results = Shader.PropertyToID("_Results");
-        static readonly int QueryCount = Shader.PropertyToID("_QueryCount");
-        static readonly int FirstResult = Shader.PropertyToID("_FirstResult");
-        static readonly int DomainHalfSize = Shader.PropertyToID("_DomainHalfSize");
-        static readonly int PoseOrigin = Shader.PropertyToID("_PoseOrigin");
-        static readonly int PoseX = Shader.PropertyToID("_PoseX");
-        static readonly int PoseY = Shader.PropertyToID("_PoseY");
-        static readonly int PoseZ = Shader.PropertyToID("_PoseZ");
-        static readonly int InverseSupport = Shader.PropertyToID("_InverseSupport");
-        static readonly int KernelFactor = Shader.PropertyToID("_KernelFactor");
-        static readonly int RestDensity = Shader.PropertyToID("_RestDensity");
+        private static readonly int Queries = Shader.PropertyToID("_Queries");
+        private static readonly int Results = Shader.PropertyToID("_Results");
+        private static readonly int QueryCount = Shader.PropertyToID("_QueryCount");
+        private static readonly int FirstResult = Shader.PropertyToID("_FirstResult");
+        private static readonly int DomainHalfSize = Shader.PropertyToID("_DomainHalfSize");
+        private static readonly int PoseOrigin = Shader.PropertyToID("_PoseOrigin");
+        private static readonly int PoseX = Shader.PropertyToID("_PoseX");
+        private static readonly int PoseY = Shader.PropertyToID("_PoseY");
+        private static readonly int PoseZ = Shader.PropertyToID("_PoseZ");
+        private static readonly int InverseSupport = Shader.PropertyToID("_InverseSupport");
+        private static readonly int KernelFactor = Shader.PropertyToID("_KernelFactor");
+        private static readonly int RestDensity = Shader.PropertyToID("_RestDensity");
 
         /// <summary>The queries of a kind, the space that they are in, and where their answers go.</summary>
         public static void Set(CommandBuffer cmd, ComputeKernel kernel, in QueryTarget target, GraphicsBuffer queries, int count, int first)

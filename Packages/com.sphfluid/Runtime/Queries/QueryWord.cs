@@ -4,7 +4,9 @@ using UnityEngine;
 
 namespace SphFluid
 {
-    /// <summary>A vector and a number, of which queries consist on the GPU; mirrored by QueryWord in Shaders/Queries/QuerySpace.hlsl.</summary>
+    /// <summary>
+    /// A vector and a number, of which queries consist on the GPU; mirrored by QueryWord in Shaders/Queries/QuerySpace.hlsl.
+    /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     internal struct QueryWord
     {

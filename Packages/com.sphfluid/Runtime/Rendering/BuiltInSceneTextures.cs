@@ -5,26 +5,27 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>The Built-in pipeline: a command buffer on each camera copies its picture before transparent things are drawn.</summary>
-    sealed class BuiltInSceneTextures : ISceneTextureSource
+    internal sealed class BuiltInSceneTextures : ISceneTextureSource
     {
-        const CameraEvent Moment = CameraEvent.BeforeForwardAlpha;
+        private const CameraEvent Moment = CameraEvent.BeforeForwardAlpha;
 
-        readonly Dictionary<Camera, Before> cameras = new Dictionary<Camera, Before>();
-        readonly List<Camera> destroyed = new List<Camera>();
-        CommandBuffer copy;
+        private readonly Dictionary<Camera, Before> cameras = new Dictionary<Camera, Before>();
+        private readonly List<Camera> destroyed = new List<Camera>();
+        private CommandBuffer copy;
 
         /// <summary>Cameras that are served; destroyed ones are forgotten with the next new one.</summary>
         public int Count => cameras.Count;
 
         public SceneTextures Request(Camera camera)
         {
-            if (!cameras.ContainsKey(camera))
-                Attach(camera);
+            if (!cameras.ContainsKey(camera)) Attach(camera);
             camera.depthTextureMode |= DepthTextureMode.Depth;
             return new SceneTextures(SceneColourSource.Copy, true);
         }
 
-        /// <summary>Records what a camera that is about to draw copies: its picture so far, and the spray and whitewater that it sees.</summary>
+        /// <summary>
+        /// Records what a camera that is about to draw copies: its picture so far, and the spray and whitewater that it sees.
+        /// </summary>
         public void RecordCopy(Camera camera, IReadOnlyList<IBehindWater> behind)
         {
             copy.Clear();
@@ -33,8 +34,7 @@ namespace SphFluid
             copy.SetRenderTarget(RenderShaderIds.FluidSceneColour);
             for (int i = 0; i < behind.Count; i++)
             {
-                if (behind[i].IsSeenBy(camera))
-                    behind[i].RecordBehindWater(copy);
+                if (behind[i].IsSeenBy(camera)) behind[i].RecordBehindWater(copy);
             }
         }
 
@@ -43,12 +43,10 @@ namespace SphFluid
             foreach (KeyValuePair<Camera, Before> entry in cameras)
             {
                 Camera camera = entry.Key;
-                if (camera == null)
-                    continue;
+                if (camera == null) continue;
                 camera.RemoveCommandBuffer(Moment, copy);
                 camera.forceIntoRenderTexture = entry.Value.IntoTexture;
-                if (!entry.Value.Depth)
-                    camera.depthTextureMode &= ~DepthTextureMode.Depth;
+                if (!entry.Value.Depth) camera.depthTextureMode &= ~DepthTextureMode.Depth;
             }
             cameras.Clear();
             copy?.Dispose();
@@ -56,7 +54,7 @@ namespace SphFluid
         }
 
         // Copies of the screen itself may lie upside down; of a texture they never do.
-        void Attach(Camera camera)
+        private void Attach(Camera camera)
         {
             ForgetDestroyed();
             copy = copy ?? new CommandBuffer { name = "Fluid Scene Colour" };
@@ -70,18 +68,16 @@ namespace SphFluid
         }
 
         // A scene that makes and destroys cameras would otherwise fill the table.
-        void ForgetDestroyed()
+        private void ForgetDestroyed()
         {
             foreach (Camera camera in cameras.Keys)
-                if (camera == null)
-                    destroyed.Add(camera);
-            foreach (Camera camera in destroyed)
-                cameras.Remove(camera);
+                if (camera == null) destroyed.Add(camera);
+            foreach (Camera camera in destroyed) cameras.Remove(camera);
             destroyed.Clear();
         }
 
         // What a camera was like before.
-        struct Before
+        private struct Before
         {
             public bool IntoTexture;
             public bool Depth;

@@ -3,7 +3,7 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>A material that code made from a shader of the shader set.</summary>
-    static class DrawMaterial
+    internal static class DrawMaterial
     {
         /// <param name="shaders">The shader set.</param>
         /// <param name="name">Name that the shader declares.</param>
@@ -12,7 +12,11 @@ namespace SphFluid
         {
             Shader shader = shaders.Find(name);
             if (shader == null)
-                throw new FluidDeviceException($"The shader set '{shaders.name}' has no shader '{name}'. Add it to the set, or use the package's DefaultFluidShaderSet.");
+            {
+                throw new FluidDeviceException(
+                    $"The shader set '{shaders.name}' has no shader '{name}'. Add it to the set, or use the package's " +
+                    "DefaultFluidShaderSet.");
+            }
             return Create(shader);
         }
 
@@ -20,7 +24,10 @@ namespace SphFluid
         public static Material Create(Shader shader)
         {
             if (!shader.isSupported)
-                throw new FluidDeviceException($"{SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType}) cannot run the shader '{shader.name}'.");
+            {
+                throw new FluidDeviceException(
+                    $"{SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType}) cannot run the shader '{shader.name}'.");
+            }
             return new Material(shader) { name = shader.name, hideFlags = HideFlags.HideAndDontSave };
         }
 

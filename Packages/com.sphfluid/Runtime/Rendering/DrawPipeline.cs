@@ -4,7 +4,7 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>Render pipelines that the drawings distinguish. The package references none of their assemblies.</summary>
-    enum DrawPipelineKind
+    internal enum DrawPipelineKind
     {
         /// <summary>Built-in.</summary>
         BuiltIn,
@@ -17,10 +17,10 @@ namespace SphFluid
     }
 
     /// <summary>Which render pipeline draws, and what the drawings do differently for it.</summary>
-    static class DrawPipeline
+    internal static class DrawPipeline
     {
-        const string HighDefinitionAsset = "HDRenderPipelineAsset";
-        const string HighDefinitionKeyword = "FLUID_HDRP";
+        private const string HighDefinitionAsset = "HDRenderPipelineAsset";
+        private const string HighDefinitionKeyword = "FLUID_HDRP";
 
         /// <summary>The pipeline that draws now.</summary>
         public static DrawPipelineKind Active
@@ -37,7 +37,8 @@ namespace SphFluid
             assetClass == HighDefinitionAsset ? DrawPipelineKind.HighDefinition : DrawPipelineKind.Universal;
 
         /// <summary>
-        /// Whether a liquid can cast and receive shadows. Not in HDRP: it hands the light's matrices to shadow passes in a constant buffer of its own.
+        /// Whether a liquid can cast and receive shadows. Not in HDRP: it hands the light's matrices to shadow passes in a constant buffer
+        /// of its own.
         /// </summary>
         public static bool HasShadows(DrawPipelineKind kind) => kind != DrawPipelineKind.HighDefinition;
 
@@ -54,7 +55,8 @@ namespace SphFluid
         {
             Apply(properties, placement.Pipeline);
             NoShadowMap.Bind();
-            properties.SetVector(RenderShaderIds.FluidReceived, new Vector4(placement.ReceiveShadows ? 1f : 0f, placement.Spacing, placement.WaterShadow, 0f));
+            properties.SetVector(RenderShaderIds.FluidReceived,
+                new Vector4(placement.ReceiveShadows ? 1f : 0f, placement.Spacing, placement.WaterShadow, 0f));
         }
     }
 }

@@ -4,7 +4,7 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>Where and how a fluid is drawn: everything that Unity's render call asks besides the shader's own properties.</summary>
-    readonly struct DrawPlacement
+    internal readonly struct DrawPlacement
     {
         /// <param name="localToWorld">Simulation space to world space: rotation and translation.</param>
         /// <param name="domainSize">Edges of the domain [m].</param>
@@ -13,8 +13,10 @@ namespace SphFluid
         /// <param name="castShadows">Whether the drawing casts shadows, where the pipeline lets it.</param>
         /// <param name="receiveShadows">Whether the drawing receives shadows, where the pipeline lets it.</param>
         /// <param name="spacing">Particle spacing dx [m], from which a drawing that receives shadows takes how bumpy it is.</param>
-        /// <param name="waterShadow">Strength of the shadow of the water that it is or is in, 0 to 1: that water does not darken it.</param>
-        public DrawPlacement(Matrix4x4 localToWorld, Vector3 domainSize, float margin, int layer, bool castShadows, bool receiveShadows = false, float spacing = 0f,
+        /// <param name="waterShadow">Strength of the shadow of the water that it is or is in, 0 to 1: that water does not darken
+        /// it.</param>
+        public DrawPlacement(Matrix4x4 localToWorld, Vector3 domainSize, float margin, int layer, bool castShadows,
+            bool receiveShadows = false, float spacing = 0f,
             float waterShadow = 0f)
         {
             LocalToWorld = localToWorld;
@@ -35,7 +37,9 @@ namespace SphFluid
 
         public bool CastShadows { get; }
 
-        /// <summary>Whether the shaders read the main light's shadows: Unity's own flag of that name does nothing for transparent things.</summary>
+        /// <summary>
+        /// Whether the shaders read the main light's shadows: Unity's own flag of that name does nothing for transparent things.
+        /// </summary>
         public bool ReceiveShadows { get; }
 
         /// <summary>Particle spacing dx [m].</summary>
@@ -47,7 +51,9 @@ namespace SphFluid
         /// <summary>The render pipeline that draws.</summary>
         public DrawPipelineKind Pipeline { get; }
 
-        /// <summary>Render parameters with every field set: Unity's defaults switch everything off and cull at the world's origin.</summary>
+        /// <summary>
+        /// Render parameters with every field set: Unity's defaults switch everything off and cull at the world's origin.
+        /// </summary>
         public RenderParams Parameters(Material material, MaterialPropertyBlock properties)
         {
             return new RenderParams(material)

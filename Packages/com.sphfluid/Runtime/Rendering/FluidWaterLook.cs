@@ -9,40 +9,47 @@ namespace SphFluid
     public sealed class FluidWaterLook
     {
         // Contrast that is left at the visibility: 2 % (Koschmieder 1924), so a coefficient of 3.912 / visibility.
-        const float VisibilityConstant = 3.912f;
+        private const float VisibilityConstant = 3.912f;
 
         // A channel that a metre of water swallows whole would have an infinite coefficient.
-        const float LeastTransmittance = 1e-3f;
+        private const float LeastTransmittance = 1e-3f;
 
         [SerializeField, FormerlySerializedAs("colourAtOneMetre"), Tooltip("Colour that white light has after one metre of water.")]
-        Color colorAtOneMetre = new Color(0.1f, 0.52f, 0.83f);
+        private Color colorAtOneMetre = new Color(0.1f, 0.52f, 0.83f);
 
         [SerializeField, Min(0.01f), Tooltip("How far one sees in it [m]. Small: milky.")]
-        float visibility = 8f;
+        private float visibility = 8f;
 
         [SerializeField, Tooltip("Colour of the light that it scatters back: white for water, brown for a river.")]
-        Color scattering = Color.white;
+        private Color scattering = Color.white;
 
         [SerializeField, Range(0f, 1f), Tooltip("How much the scene behind is displaced. 1: as much as by water.")]
-        float refraction = 1f;
+        private float refraction = 1f;
 
         [SerializeField, Range(0f, 1f), Tooltip("How small and bright the sun's highlights are.")]
-        float smoothness = 0.9f;
+        private float smoothness = 0.9f;
 
         [SerializeField, Range(0f, 1f), Tooltip("How dark its shadow is. Low values suit clear water, which lets most light through.")]
-        float shadow = 0.25f;
+        private float shadow = 0.25f;
 
-        [SerializeField, Tooltip("How closely light is followed through the water. Fast: bent once. Balanced: followed to what it meets. Fine: in small steps, and mirrored by the walls of a tank.")]
-        FluidWaterQuality quality = FluidWaterQuality.Fine;
+        [SerializeField,
+            Tooltip(
+                "How closely light is followed through the water. Fast: bent once. Balanced: followed to what it meets. Fine: in small " +
+                "steps, and mirrored by the walls of a tank.")]
+        private FluidWaterQuality quality = FluidWaterQuality.Fine;
 
         [SerializeField, Tooltip("Whether its thickness is measured at half the picture's resolution: cheaper, a little softer at edges.")]
-        bool halfResolution;
+        private bool halfResolution;
 
-        [SerializeField, Range(0, MostDrops), Tooltip("Small drops that a particle far from others is drawn as. 0: it stays in the surface, as a ball of water. More: finer spray that costs more.")]
-        int spray = 14;
+        [SerializeField, Range(0, MostDrops),
+            Tooltip(
+                "Small drops that a particle far from others is drawn as. 0: it stays in the surface, as a ball of water. More: finer " +
+                "spray that costs more.")]
+        private int spray = 14;
 
-        [SerializeField, Range(0f, 0.02f), Tooltip("How long the camera's shutter is open for spray [s]: fast drops are drawn as streaks of the way they go in it.")]
-        float sprayShutter = 1f / 400f;
+        [SerializeField, Range(0f, 0.02f),
+            Tooltip("How long the camera's shutter is open for spray [s]: fast drops are drawn as streaks of the way they go in it.")]
+        private float sprayShutter = 1f / 400f;
 
         /// <summary>Most drops of <see cref="Spray"/>.</summary>
         public const int MostDrops = 32;
@@ -50,7 +57,10 @@ namespace SphFluid
         /// <summary>Colour that white light has after one metre of water. Not a number counts as 0.</summary>
         public Color ColorAtOneMetre { get => Limits.Finite(colorAtOneMetre); set => colorAtOneMetre = value; }
 
-        /// <summary>How far one sees in it [m], 0.01 or more: at that distance 2 % of the contrast is left; infinity counts as the largest number, and nothing scatters.</summary>
+        /// <summary>
+        /// How far one sees in it [m], 0.01 or more: at that distance 2 % of the contrast is left; infinity counts as the largest number,
+        /// and nothing scatters.
+        /// </summary>
         public float Visibility { get => Limits.Clamp(visibility, 0.01f); set => visibility = value; }
 
         /// <summary>Colour of the light that it scatters back. Not a number counts as 0.</summary>
@@ -71,7 +81,9 @@ namespace SphFluid
         /// <summary>Whether its thickness is measured at half the picture's resolution.</summary>
         public bool HalfResolution { get => halfResolution; set => halfResolution = value; }
 
-        /// <summary>Small drops that a particle far from others is drawn as, 0 to <see cref="MostDrops"/>; 0: it stays in the surface.</summary>
+        /// <summary>
+        /// Small drops that a particle far from others is drawn as, 0 to <see cref="MostDrops"/>; 0: it stays in the surface.
+        /// </summary>
         public int Spray { get => Mathf.Clamp(spray, 0, MostDrops); set => spray = value; }
 
         /// <summary>How long the camera's shutter is open for spray [s], 0 to 0.02: drops are streaked by the way they go in it.</summary>
@@ -101,7 +113,8 @@ namespace SphFluid
             {
                 Vector4 scattered = ScatteringCoefficient;
                 Color left = InShaderColours(ColorAtOneMetre);
-                return new Vector4(Absorption(left.r) + scattered.x, Absorption(left.g) + scattered.y, Absorption(left.b) + scattered.z, 0f);
+                return new Vector4(Absorption(left.r) + scattered.x, Absorption(left.g) + scattered.y,
+                    Absorption(left.b) + scattered.z, 0f);
             }
         }
 
@@ -116,7 +129,7 @@ namespace SphFluid
             }
         }
 
-        Vector4 ScatteringCoefficient
+        private Vector4 ScatteringCoefficient
         {
             get
             {
@@ -125,10 +138,10 @@ namespace SphFluid
             }
         }
 
-        static float Absorption(float left) => -Mathf.Log(Mathf.Clamp(left, LeastTransmittance, 1f));
+        private static float Absorption(float left) => -Mathf.Log(Mathf.Clamp(left, LeastTransmittance, 1f));
 
-        static float Share(float part, float whole) => whole > 0f ? part / whole : 0f;
+        private static float Share(float part, float whole) => whole > 0f ? part / whole : 0f;
 
-        static Color InShaderColours(Color color) => QualitySettings.activeColorSpace == ColorSpace.Linear ? color.linear : color;
+        private static Color InShaderColours(Color color) => QualitySettings.activeColorSpace == ColorSpace.Linear ? color.linear : color;
     }
 }

@@ -3,8 +3,10 @@ using UnityEngine.Rendering;
 
 namespace SphFluid
 {
-    /// <summary>What is drawn after the water, and where the package copies the scene for the water to refract, into that copy too.</summary>
-    interface IBehindWater
+    /// <summary>
+    /// What is drawn after the water, and where the package copies the scene for the water to refract, into that copy too.
+    /// </summary>
+    internal interface IBehindWater
     {
         /// <summary>Whether there is something in this frame that a camera may show.</summary>
         bool IsSeenBy(Camera camera);

@@ -5,21 +5,22 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>
-    /// Built-in pipeline: the shadow map of a directional light, kept for what is drawn after the opaque things. Command buffers on the light give the
-    /// map a name of the package's own once it is drawn (<see cref="LightEvent.AfterShadowMap"/>, where it is the render target), and copy the
-    /// variables that place it into a small texture while they are set (<see cref="LightEvent.BeforeScreenspaceMask"/>). Where the pipeline makes no
-    /// screen space mask, as on devices without cascaded shadows, the second does not run, and everything counts as lit.
+    /// Built-in pipeline: the shadow map of a directional light, kept for what is drawn after the opaque things. Command buffers on the
+    /// light give the map a name of the package's own once it is drawn (<see cref="LightEvent.AfterShadowMap"/>, where it is the render
+    /// target), and copy the variables that place it into a small texture while they are set
+    /// (<see cref="LightEvent.BeforeScreenspaceMask"/>). Where the pipeline makes no screen space mask, as on devices without cascaded
+    /// shadows, the second does not run, and everything counts as lit.
     /// </summary>
-    sealed class KeptShadowMap : IDisposable
+    internal sealed class KeptShadowMap : IDisposable
     {
         // Pixels that ShadowConstants.hlsl fills.
-        const int Constants = 24;
+        private const int Constants = 24;
 
-        readonly CommandBuffer keep = new CommandBuffer { name = "Fluid Shadow Map" };
-        readonly CommandBuffer copy = new CommandBuffer { name = "Fluid Shadow Constants" };
-        Material material;
-        RenderTexture constants;
-        float recorded = MainLightShadows.None;
+        private readonly CommandBuffer keep = new CommandBuffer { name = "Fluid Shadow Map" };
+        private readonly CommandBuffer copy = new CommandBuffer { name = "Fluid Shadow Constants" };
+        private Material material;
+        private RenderTexture constants;
+        private float recorded = MainLightShadows.None;
 
         /// <exception cref="FluidDeviceException">The shader is missing, or the device cannot run it.</exception>
         public KeptShadowMap(FluidShaderSet shaders)
@@ -34,15 +35,14 @@ namespace SphFluid
         /// <summary>Keeps the map of this light from now on; of none where it is null or casts no shadows.</summary>
         public void Watch(Light light)
         {
-            Light wanted = light != null && light.shadows != LightShadows.None && QualitySettings.shadows != ShadowQuality.Disable ? light : null;
+            Light wanted = light != null && light.shadows != LightShadows.None &&
+                QualitySettings.shadows != ShadowQuality.Disable ? light : null;
             if (wanted != Light || (wanted == null && !ReferenceEquals(Light, null)))
             {
                 Leave();
-                if (wanted != null)
-                    Attach(wanted);
+                if (wanted != null) Attach(wanted);
             }
-            if (wanted != null && recorded != Kind())
-                Record();
+            if (wanted != null && recorded != Kind()) Record();
         }
 
         public void Dispose()
@@ -53,7 +53,7 @@ namespace SphFluid
             OwnedObject.Destroy(ref material);
         }
 
-        void Attach(Light light)
+        private void Attach(Light light)
         {
             constants = new RenderTexture(Constants, 1, 0, RenderTextureFormat.ARGBFloat, RenderTextureReadWrite.Linear)
             {
@@ -67,22 +67,20 @@ namespace SphFluid
             light.AddCommandBuffer(LightEvent.BeforeScreenspaceMask, copy);
         }
 
-        void Leave()
+        private void Leave()
         {
             if (Light != null)
             {
                 Light.RemoveCommandBuffer(LightEvent.AfterShadowMap, keep);
                 Light.RemoveCommandBuffer(LightEvent.BeforeScreenspaceMask, copy);
             }
-            if (!ReferenceEquals(Light, null))
-                NoShadowMap.Restore();
+            if (!ReferenceEquals(Light, null)) NoShadowMap.Restore();
             Light = null;
-            if (constants != null)
-                constants.Release();
+            if (constants != null) constants.Release();
             OwnedObject.Destroy(ref constants);
         }
 
-        void Record()
+        private void Record()
         {
             recorded = Kind();
             copy.Clear();
@@ -93,10 +91,9 @@ namespace SphFluid
         }
 
         // How the pipeline divides the map.
-        static float Kind()
+        private static float Kind()
         {
-            if (QualitySettings.shadowCascades <= 1)
-                return MainLightShadows.Whole;
+            if (QualitySettings.shadowCascades <= 1) return MainLightShadows.Whole;
             return QualitySettings.shadowProjection == ShadowProjection.StableFit ? MainLightShadows.BySpheres : MainLightShadows.ByDepth;
         }
     }

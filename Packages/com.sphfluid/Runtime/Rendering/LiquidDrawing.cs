@@ -5,12 +5,12 @@ using Object = UnityEngine.Object;
 namespace SphFluid
 {
     /// <summary>Makes the sparse surface of a simulation and draws it, as clear water or as an opaque body.</summary>
-    sealed class LiquidDrawing : IDisposable
+    internal sealed class LiquidDrawing : IDisposable
     {
-        readonly FluidShaderSet shaders;
-        readonly SurfaceSource source;
-        WaterDrawing water;
-        OpaqueDrawing opaque;
+        private readonly FluidShaderSet shaders;
+        private readonly SurfaceSource source;
+        private WaterDrawing water;
+        private OpaqueDrawing opaque;
 
         /// <exception cref="FluidDeviceException">The device cannot make the surface.</exception>
         public LiquidDrawing(FluidShaderSet shaders)
@@ -20,30 +20,31 @@ namespace SphFluid
             LiquidViews.Add(source);
         }
 
-        /// <summary>Draws the surface of the present particles as clear water for every camera of this frame; makes it if one sees it.</summary>
-        public void DrawWater(FluidSolver solver, FluidSurfaceOptions options, FluidWaterLook look, Material ownMaterial, in DrawPlacement placement, Object owner)
+        /// <summary>
+        /// Draws the surface of the present particles as clear water for every camera of this frame; makes it if one sees it.
+        /// </summary>
+        public void DrawWater(FluidSolver solver, FluidSurfaceOptions options, FluidWaterLook look, Material ownMaterial,
+            in DrawPlacement placement, Object owner)
         {
             Dispose(ref opaque);
             water = water ?? new WaterDrawing(shaders);
-            if (!TryFill(water, solver, options, look.Spray, placement, owner, out SurfaceBuffers surface))
-                return;
+            if (!TryFill(water, solver, options, look.Spray, placement, owner, out SurfaceBuffers surface)) return;
             water.SetLook(surface, look, WaterCameras.LargestView, placement);
-            if (ownMaterial == null)
-                water.SetSurface(look);
+            if (ownMaterial == null) water.SetSurface(look);
             water.Draw(surface, ownMaterial, placement);
-            if (look.Spray > 0)
-                water.DrawSpray(source.Spray, look.SprayShutter, placement);
+            if (look.Spray > 0) water.DrawSpray(source.Spray, look.SprayShutter, placement);
         }
 
-        /// <summary>Draws the surface of the present particles as an opaque body for every camera of this frame; makes it if one sees it.</summary>
-        public void DrawOpaque(FluidSolver solver, FluidSurfaceOptions options, Color colour, float smoothness, Material ownMaterial, in DrawPlacement placement, Object owner)
+        /// <summary>
+        /// Draws the surface of the present particles as an opaque body for every camera of this frame; makes it if one sees it.
+        /// </summary>
+        public void DrawOpaque(FluidSolver solver, FluidSurfaceOptions options, Color colour, float smoothness, Material ownMaterial,
+            in DrawPlacement placement, Object owner)
         {
             Dispose(ref water);
             opaque = opaque ?? new OpaqueDrawing(shaders);
-            if (!TryFill(opaque, solver, options, 0, placement, owner, out SurfaceBuffers surface))
-                return;
-            if (ownMaterial == null)
-                opaque.SetLook(colour, smoothness);
+            if (!TryFill(opaque, solver, options, 0, placement, owner, out SurfaceBuffers surface)) return;
+            if (ownMaterial == null) opaque.SetLook(colour, smoothness);
             opaque.Draw(surface, ownMaterial, placement);
         }
 
@@ -58,16 +59,16 @@ namespace SphFluid
             source.Dispose();
         }
 
-        bool TryFill(SurfaceDrawing drawing, FluidSolver solver, FluidSurfaceOptions options, int drops, in DrawPlacement placement, Object owner, out SurfaceBuffers surface)
+        private bool TryFill(SurfaceDrawing drawing, FluidSolver solver, FluidSurfaceOptions options, int drops, in DrawPlacement placement,
+            Object owner, out SurfaceBuffers surface)
         {
-            if (!source.Request(solver, options, drops, owner, out surface))
-                return false;
+            if (!source.Request(solver, options, drops, owner, out surface)) return false;
             LiquidViews.Show(source, placement);
             drawing.Fill(surface, source.Grid, options.Walls, placement);
             return true;
         }
 
-        static void Dispose<T>(ref T drawing) where T : SurfaceDrawing
+        private static void Dispose<T>(ref T drawing) where T : SurfaceDrawing
         {
             drawing?.Dispose();
             drawing = null;

@@ -9,13 +9,13 @@ namespace SphFluid
     /// when it is drawn. The rest waits for cameras that begin to draw later in the frame: those of the Scene view, those that
     /// scripts render, switch on or turn after the liquid. What nobody sees is not made.
     /// </summary>
-    static class LiquidViews
+    internal static class LiquidViews
     {
-        static readonly List<SurfaceSource> sources = new List<SurfaceSource>();
-        static readonly Dictionary<SurfaceSource, (DrawPlacement Placement, int Frame)> waiting =
+        private static readonly List<SurfaceSource> sources = new List<SurfaceSource>();
+        private static readonly Dictionary<SurfaceSource, (DrawPlacement Placement, int Frame)> waiting =
             new Dictionary<SurfaceSource, (DrawPlacement, int)>();
-        static readonly List<SurfaceSource> seen = new List<SurfaceSource>();
-        static Camera[] cameras = new Camera[4];
+        private static readonly List<SurfaceSource> seen = new List<SurfaceSource>();
+        private static Camera[] cameras = new Camera[4];
 
         /// <summary>Listens to cameras while there are surfaces.</summary>
         public static void Add(SurfaceSource source)
@@ -32,8 +32,7 @@ namespace SphFluid
         public static void Remove(SurfaceSource source)
         {
             waiting.Remove(source);
-            if (!sources.Remove(source) || sources.Count > 0)
-                return;
+            if (!sources.Remove(source) || sources.Count > 0) return;
             Camera.onPreCull -= Prepare;
             RenderPipelineManager.beginCameraRendering -= PrepareScriptable;
             System.Array.Clear(cameras, 0, cameras.Length);
@@ -54,8 +53,7 @@ namespace SphFluid
         {
             foreach (KeyValuePair<SurfaceSource, (DrawPlacement Placement, int Frame)> entry in waiting)
             {
-                if (entry.Value.Frame == Time.frameCount && IsSeenBy(camera, entry.Value.Placement))
-                    seen.Add(entry.Key);
+                if (entry.Value.Frame == Time.frameCount && IsSeenBy(camera, entry.Value.Placement)) seen.Add(entry.Key);
             }
             foreach (SurfaceSource source in seen)
             {
@@ -68,58 +66,55 @@ namespace SphFluid
         /// <summary>Whether a camera may show a drawing or a shadow of it.</summary>
         public static bool IsSeenBy(Camera camera, in DrawPlacement placement)
         {
-            if ((camera.cullingMask & (1 << placement.Layer)) == 0)
-                return false;
+            if ((camera.cullingMask & (1 << placement.Layer)) == 0) return false;
             var volume = new ViewVolume(camera);
             return volume.Touches(placement.WorldBounds) || (placement.CastShadows && IsShadowSeen(volume, placement.WorldBounds));
         }
 
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
-        static void ResetStatics()
+        private static void ResetStatics()
         {
             while (sources.Count > 0) Remove(sources[0]);
             seen.Clear();
         }
 
-        static void PrepareScriptable(ScriptableRenderContext context, Camera camera) => Prepare(camera);
+        private static void PrepareScriptable(ScriptableRenderContext context, Camera camera) => Prepare(camera);
 
         /// <summary>Whether an enabled camera may show a drawing or a shadow of it, or a reflection probe.</summary>
         public static bool IsSeen(in DrawPlacement placement)
         {
-            if (cameras.Length < Camera.allCamerasCount)
-                cameras = new Camera[Camera.allCamerasCount];
+            if (cameras.Length < Camera.allCamerasCount) cameras = new Camera[Camera.allCamerasCount];
             int count = Camera.GetAllCameras(cameras);
             for (int i = 0; i < count; i++)
             {
-                if (IsSeenBy(cameras[i], placement))
-                    return true;
+                if (IsSeenBy(cameras[i], placement)) return true;
             }
             return IsMirrored(placement.Layer);
         }
 
         // Shadows run on along a directional light without end. What other lights reach counts as seen.
-        static bool IsShadowSeen(in ViewVolume volume, Bounds bounds)
+        private static bool IsShadowSeen(in ViewVolume volume, Bounds bounds)
         {
             foreach (Light light in SceneObjects.All<Light>())
             {
-                if (!light.isActiveAndEnabled || light.shadows == LightShadows.None)
-                    continue;
+                if (!light.isActiveAndEnabled || light.shadows == LightShadows.None) continue;
                 bool reaches = light.type == LightType.Directional
                     ? volume.Touches(bounds, light.transform.forward)
                     : bounds.SqrDistance(light.transform.position) <= light.range * light.range;
-                if (reaches)
-                    return true;
+                if (reaches) return true;
             }
             return false;
         }
 
         // Probes that are drawn while playing do not announce their cameras in every render pipeline.
-        static bool IsMirrored(int layer)
+        private static bool IsMirrored(int layer)
         {
             foreach (ReflectionProbe probe in SceneObjects.All<ReflectionProbe>())
             {
                 if (probe.isActiveAndEnabled && probe.mode == ReflectionProbeMode.Realtime && (probe.cullingMask & (1 << layer)) != 0)
+                {
                     return true;
+                }
             }
             return false;
         }

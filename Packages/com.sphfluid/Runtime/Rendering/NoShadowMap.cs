@@ -3,19 +3,23 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>
-    /// A shadow map of one texel for the names that no pipeline has set: shaders that compare with a map name it even where they are told not to read
-    /// it, and graphics APIs such as Vulkan and Metal want a depth texture there. The Universal Render Pipeline sets its own for every camera.
+    /// A shadow map of one texel for the names that no pipeline has set: shaders that compare with a map name it even where they are told
+    /// not to read it, and graphics APIs such as Vulkan and Metal want a depth texture there. The Universal Render Pipeline sets its own
+    /// for every camera.
     /// </summary>
-    static class NoShadowMap
+    internal static class NoShadowMap
     {
-        [OutlivesPlay("one texel that serves every play")] static RenderTexture map;
+        [OutlivesPlay("one texel that serves every play")] private static RenderTexture map;
 
         /// <summary>Sets it under both names, once.</summary>
         public static void Bind()
         {
-            if (map != null || !SystemInfo.SupportsRenderTextureFormat(RenderTextureFormat.Shadowmap))
-                return;
-            map = new RenderTexture(1, 1, 16, RenderTextureFormat.Shadowmap) { name = "No Shadow Map", hideFlags = HideFlags.HideAndDontSave };
+            if (map != null || !SystemInfo.SupportsRenderTextureFormat(RenderTextureFormat.Shadowmap)) return;
+            map = new RenderTexture(1, 1, 16, RenderTextureFormat.Shadowmap)
+            {
+                name = "No Shadow Map",
+                hideFlags = HideFlags.HideAndDontSave
+            };
             map.Create();
             Shader.SetGlobalTexture(RenderShaderIds.MainLightShadowmap, map);
             Restore();

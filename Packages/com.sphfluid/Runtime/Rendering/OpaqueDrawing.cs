@@ -3,7 +3,7 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>Draws a sparse surface as an opaque body.</summary>
-    sealed class OpaqueDrawing : SurfaceDrawing
+    internal sealed class OpaqueDrawing : SurfaceDrawing
     {
         /// <exception cref="FluidDeviceException">The shader is missing, or the device cannot run it.</exception>
         public OpaqueDrawing(FluidShaderSet shaders)

@@ -3,7 +3,7 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>How particles look when they are drawn as squares.</summary>
-    struct ParticleLook
+    internal struct ParticleLook
     {
         /// <summary>Edge of a square [m].</summary>
         public float Size;

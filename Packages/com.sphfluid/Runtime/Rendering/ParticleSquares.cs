@@ -3,15 +3,17 @@ using UnityEngine;
 
 namespace SphFluid
 {
-    /// <summary>Draws particles as textured, lit squares that face the camera: Fig. 12 of the thesis, left. Needs no geometry shader.</summary>
-    sealed class ParticleSquares : IDisposable
+    /// <summary>
+    /// Draws particles as textured, lit squares that face the camera: Fig. 12 of the thesis, left. Needs no geometry shader.
+    /// </summary>
+    internal sealed class ParticleSquares : IDisposable
     {
         public const int VerticesPerParticle = 6;
 
-        readonly MaterialPropertyBlock properties = new MaterialPropertyBlock();
-        readonly SceneLighting lighting = new SceneLighting();
-        Material material;
-        Texture2D roundSprite;
+        private readonly MaterialPropertyBlock properties = new MaterialPropertyBlock();
+        private readonly SceneLighting lighting = new SceneLighting();
+        private Material material;
+        private Texture2D roundSprite;
 
         /// <exception cref="FluidDeviceException">The shader is missing, or the device cannot run it.</exception>
         public ParticleSquares(FluidShaderSet shaders)
@@ -19,7 +21,8 @@ namespace SphFluid
             if (SystemInfo.maxComputeBufferInputsVertex < 1)
             {
                 throw new FluidDeviceException(
-                    $"{SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType}) cannot read a buffer in the vertex shader; particles cannot be drawn.");
+                    $"{SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType}) cannot read a buffer in the vertex shader; " +
+                    "particles cannot be drawn.");
             }
             material = DrawMaterial.Create(shaders, "SPH Fluid/Particles");
             roundSprite = RoundSprite.Create();

@@ -3,7 +3,7 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>Property ids of the shaders that draw.</summary>
-    static class RenderShaderIds
+    internal static class RenderShaderIds
     {
         public static readonly int FluidLocalToWorld = Shader.PropertyToID("_FluidLocalToWorld");
         public static readonly int FluidLightDirection = Shader.PropertyToID("_FluidLightDirection");

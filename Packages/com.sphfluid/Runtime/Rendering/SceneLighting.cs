@@ -4,17 +4,17 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>
-    /// The scene's main light and ambient light for a draw. Read from the scene rather than from a pipeline's shader variables, whose names differ:
-    /// the drawings look alike in every render pipeline.
+    /// The scene's main light and ambient light for a draw. Read from the scene rather than from a pipeline's shader variables, whose names
+    /// differ: the drawings look alike in every render pipeline.
     /// </summary>
-    sealed class SceneLighting
+    internal sealed class SceneLighting
     {
         // Frames between two searches for a brighter light; one that was switched off is noticed at once.
-        const int SearchInterval = 30;
+        private const int SearchInterval = 30;
 
-        readonly Vector4[] ambient = new Vector4[7];
-        Light brightest;
-        int searchedAt = int.MinValue;
+        private readonly Vector4[] ambient = new Vector4[7];
+        private Light brightest;
+        private int searchedAt = int.MinValue;
 
         /// <summary>Sets direction and colour of the main light and the ambient light.</summary>
         public void Apply(MaterialPropertyBlock properties)
@@ -27,25 +27,26 @@ namespace SphFluid
         }
 
         /// <summary>
-        /// Colour times intensity as the pipelines hand it to shaders: in linear colour space linear, and the intensity with it or apart from it as
-        /// <see cref="GraphicsSettings.lightsUseLinearIntensity"/> says. E.g. white of intensity 0.5 is 0.5 or, multiplied before, 0.214.
+        /// Colour times intensity as the pipelines hand it to shaders: in linear colour space linear, and the intensity with it or apart
+        /// from it as <see cref="GraphicsSettings.lightsUseLinearIntensity"/> says. E.g. white of intensity 0.5 is 0.5 or, multiplied
+        /// before, 0.214.
         /// </summary>
         public static Vector4 ColourOf(Light light)
         {
             Color colour = light.color;
             Color filter = Color.white;
             if (GraphicsSettings.lightsUseColorTemperature && light.useColorTemperature)
+            {
                 filter = Mathf.CorrelatedColorTemperatureToRGB(light.colorTemperature);
-            if (QualitySettings.activeColorSpace != ColorSpace.Linear)
-                return colour * filter.gamma * light.intensity;
-            if (GraphicsSettings.lightsUseLinearIntensity)
-                return colour.linear * filter * light.intensity;
+            }
+            if (QualitySettings.activeColorSpace != ColorSpace.Linear) return colour * filter.gamma * light.intensity;
+            if (GraphicsSettings.lightsUseLinearIntensity) return colour.linear * filter * light.intensity;
             return (colour * light.intensity).linear * filter;
         }
 
         /// <summary>
-        /// Spherical harmonics in the order that shaders evaluate them, as Unity packs unity_SHAr ... unity_SHC: for each colour four linear
-        /// coefficients, for each colour four quadratic ones, and the last of all three.
+        /// Spherical harmonics in the order that shaders evaluate them, as Unity packs unity_SHAr ... unity_SHC: for each colour four
+        /// linear coefficients, for each colour four quadratic ones, and the last of all three.
         /// </summary>
         public static void Pack(SphericalHarmonicsL2 probe, Vector4[] packed)
         {
@@ -58,8 +59,8 @@ namespace SphFluid
         }
 
         /// <summary>
-        /// The scene's ambient light; where it is the sky's and was never baked, which leaves it black in Unity 6, that of the three colours in
-        /// the lighting settings.
+        /// The scene's ambient light; where it is the sky's and was never baked, which leaves it black in Unity 6, that of the three
+        /// colours in the lighting settings.
         /// </summary>
         internal static SphericalHarmonicsL2 Lit(SphericalHarmonicsL2 probe)
         {
@@ -68,7 +69,7 @@ namespace SphFluid
         }
 
         // From the ground's colour below to the sky's above, through the mean of both and the equator's.
-        static SphericalHarmonicsL2 Gradient()
+        private static SphericalHarmonicsL2 Gradient()
         {
             Color sky = RenderSettings.ambientSkyColor.linear, ground = RenderSettings.ambientGroundColor.linear;
             Color middle = 0.25f * (sky + ground) + 0.5f * RenderSettings.ambientEquatorColor.linear;
@@ -81,13 +82,12 @@ namespace SphFluid
             return probe;
         }
 
-        // The lighting settings' sun, else the brightest directional light, as Unity chooses its main light. Only the search allocates: scenes
-        // whose Sun Source is assigned never do.
+        // The lighting settings' sun, else the brightest directional light, as Unity chooses its main light. Only the search allocates:
+        // scenes whose Sun Source is assigned never do.
         internal Light MainLight()
         {
             Light sun = RenderSettings.sun;
-            if (IsUsable(sun))
-                return sun;
+            if (IsUsable(sun)) return sun;
             int frame = Time.frameCount;
             if (!IsUsable(brightest) || frame < searchedAt || frame - (long)searchedAt >= SearchInterval)
             {
@@ -97,21 +97,24 @@ namespace SphFluid
             return brightest;
         }
 
-        static Light FindBrightest()
+        private static Light FindBrightest()
         {
             Light found = null;
             float most = 0f;
             foreach (Light light in SceneObjects.All<Light>())
             {
                 float brightness = light.intensity * light.color.maxColorComponent;
-                if (!IsUsable(light) || brightness < most || (brightness == most && found != null && HierarchyOrder.Compare(light, found) > 0))
+                if (!IsUsable(light) || brightness < most ||
+                    (brightness == most && found != null && HierarchyOrder.Compare(light, found) > 0))
+                {
                     continue;
+                }
                 found = light;
                 most = brightness;
             }
             return found;
         }
 
-        static bool IsUsable(Light light) => light != null && light.isActiveAndEnabled && light.type == LightType.Directional;
+        private static bool IsUsable(Light light) => light != null && light.isActiveAndEnabled && light.type == LightType.Directional;
     }
 }

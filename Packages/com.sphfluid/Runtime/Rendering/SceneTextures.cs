@@ -3,7 +3,7 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>Where water reads the picture of the scene behind it; the numbers are those of Shaders/Rendering/WaterPath.hlsl.</summary>
-    enum SceneColourSource
+    internal enum SceneColourSource
     {
         /// <summary>Nowhere: the water is blended over the scene, without refraction.</summary>
         None = 0,
@@ -16,7 +16,7 @@ namespace SphFluid
     }
 
     /// <summary>What a camera shows of the scene to the water in it.</summary>
-    readonly struct SceneTextures
+    internal readonly struct SceneTextures
     {
         public SceneTextures(SceneColourSource colour, bool depth)
         {
@@ -34,7 +34,7 @@ namespace SphFluid
     }
 
     /// <summary>Asks a render pipeline for the scene's colour and depth before a camera draws.</summary>
-    interface ISceneTextureSource
+    internal interface ISceneTextureSource
     {
         /// <summary>Called when a camera begins to draw.</summary>
         SceneTextures Request(Camera camera);

@@ -5,18 +5,18 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>
-    /// Draws particles that left the surface as clusters of small drops (Shaders/Rendering/SprayDrops.hlsl): once after the water, and, where the
-    /// package copies the scene for the water to refract, into that copy, so that a sheet of water in front does not hide them.
+    /// Draws particles that left the surface as clusters of small drops (Shaders/Rendering/SprayDrops.hlsl): once after the water, and,
+    /// where the package copies the scene for the water to refract, into that copy, so that a sheet of water in front does not hide them.
     /// </summary>
-    sealed class SprayDrawing : IBehindWater, IDisposable
+    internal sealed class SprayDrawing : IBehindWater, IDisposable
     {
-        readonly MaterialPropertyBlock block = new MaterialPropertyBlock();
-        readonly SceneLighting lighting = new SceneLighting();
-        Material front;
-        Material behind;
-        SprayBuffers spray;
-        DrawPlacement placement;
-        int preparedAt = -1;
+        private readonly MaterialPropertyBlock block = new MaterialPropertyBlock();
+        private readonly SceneLighting lighting = new SceneLighting();
+        private Material front;
+        private Material behind;
+        private SprayBuffers spray;
+        private DrawPlacement placement;
+        private int preparedAt = -1;
 
         /// <exception cref="FluidDeviceException">A shader is missing, or the device cannot run it.</exception>
         public SprayDrawing(FluidShaderSet shaders)
@@ -73,7 +73,7 @@ namespace SphFluid
         /// <summary>Records the spray after the water, into the render target with its matrices.</summary>
         public void RecordAfterWater(CommandBuffer cmd) => Record(cmd, front);
 
-        void Record(CommandBuffer cmd, Material material) =>
+        private void Record(CommandBuffer cmd, Material material) =>
             cmd.DrawProceduralIndirect(Matrix4x4.identity, material, 0, MeshTopology.Triangles, spray.Arguments, 0, block);
 
         public void Dispose()

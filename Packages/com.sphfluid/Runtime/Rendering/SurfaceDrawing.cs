@@ -4,17 +4,16 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>Draws a sparse surface for every camera of a frame: what its looks have in common.</summary>
-    abstract class SurfaceDrawing : IDisposable
+    internal abstract class SurfaceDrawing : IDisposable
     {
-        readonly SceneLighting lighting = new SceneLighting();
-        Material material;
+        private readonly SceneLighting lighting = new SceneLighting();
+        private Material material;
 
         /// <exception cref="FluidDeviceException">The shader is missing, or the device cannot run it.</exception>
         protected SurfaceDrawing(FluidShaderSet shaders, string shader)
         {
             string shortfall = MissingSupport();
-            if (shortfall != null)
-                throw new FluidDeviceException(shortfall);
+            if (shortfall != null) throw new FluidDeviceException(shortfall);
             material = DrawMaterial.Create(shaders, shader);
         }
 
@@ -27,12 +26,12 @@ namespace SphFluid
         public static string MissingSupport()
         {
             DeviceCapabilities device = DeviceCapabilities.Query();
-            foreach (string shortfall in ShaderGroup.Drawing.Shortfalls(device))
-                return shortfall;
-            foreach (string shortfall in ShaderGroup.Surface.Shortfalls(device))
-                return shortfall;
+            foreach (string shortfall in ShaderGroup.Drawing.Shortfalls(device)) return shortfall;
+            foreach (string shortfall in ShaderGroup.Surface.Shortfalls(device)) return shortfall;
             if (!SystemInfo.supportsIndirectArgumentsBuffer)
+            {
                 return $"{device.Name} cannot draw what the GPU has counted, which the surface needs.";
+            }
             return null;
         }
 

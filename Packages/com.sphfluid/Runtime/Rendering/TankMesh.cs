@@ -3,14 +3,16 @@ using UnityEngine;
 
 namespace SphFluid
 {
-    /// <summary>The shape of a tank round a box: panes as submesh 0, the bars of its edges as submesh 1. All of it lies outside the box.</summary>
+    /// <summary>
+    /// The shape of a tank round a box: panes as submesh 0, the bars of its edges as submesh 1. All of it lies outside the box.
+    /// </summary>
     internal sealed class TankMesh
     {
-        const int Quad = 4;
+        private const int Quad = 4;
 
-        readonly List<Vector3> positions = new List<Vector3>();
-        readonly List<Vector3> normals = new List<Vector3>();
-        readonly List<int> indices = new List<int>();
+        private readonly List<Vector3> positions = new List<Vector3>();
+        private readonly List<Vector3> normals = new List<Vector3>();
+        private readonly List<int> indices = new List<int>();
 
         /// <summary>Makes a mesh anew.</summary>
         /// <param name="mesh">Receives the shape.</param>
@@ -32,7 +34,7 @@ namespace SphFluid
         }
 
         // Half-way through the bars, so that neither liquid nor floor lies in their plane.
-        void AddPanes(Vector3 half, float bar, bool lid)
+        private void AddPanes(Vector3 half, float bar, bool lid)
         {
             float away = 0.5f * bar;
             for (int axis = 0; axis < 3; axis++)
@@ -41,7 +43,7 @@ namespace SphFluid
         }
 
         // Those along x reach over the corners.
-        void AddBars(Vector3 half, float bar)
+        private void AddBars(Vector3 half, float bar)
         {
             for (int axis = 0; axis < 3; axis++)
             {
@@ -58,7 +60,7 @@ namespace SphFluid
         }
 
         // Clockwise as seen from outside.
-        void AddFace(Vector3 centre, Vector3 half, int axis, int side, float away)
+        private void AddFace(Vector3 centre, Vector3 half, int axis, int side, float away)
         {
             Vector3 normal = Vector3.zero, u = Vector3.zero, v = Vector3.zero;
             normal[axis] = side;

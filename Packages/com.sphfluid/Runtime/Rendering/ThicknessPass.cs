@@ -5,24 +5,25 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>
-    /// How much water lies behind each pixel of a camera: the closed surface drawn with additive blending into a texture of four half floats,
-    /// Shaders/Rendering/WaterThickness.hlsl. One texture serves all cameras of a frame, one after the other; smaller ones fill its lower left part.
+    /// How much water lies behind each pixel of a camera: the closed surface drawn with additive blending into a texture of four half
+    /// floats, Shaders/Rendering/WaterThickness.hlsl. One texture serves all cameras of a frame, one after the other; smaller ones fill its
+    /// lower left part.
     /// </summary>
-    sealed class ThicknessPass : IDisposable
+    internal sealed class ThicknessPass : IDisposable
     {
-        const RenderTextureFormat Format = RenderTextureFormat.ARGBHalf;
+        private const RenderTextureFormat Format = RenderTextureFormat.ARGBHalf;
 
         // Alpha where no far face is; Shaders/Rendering/WaterThickness.hlsl.
-        const float NoFarFace = -1000f;
+        private const float NoFarFace = -1000f;
 
-        readonly MaterialPropertyBlock block = new MaterialPropertyBlock();
-        Material material;
-        RenderTexture texture;
-        SurfaceBuffers surface;
-        int divisor = 1;
-        int preparedAt = -1;
-        Matrix4x4 localToWorld;
-        Bounds bounds;
+        private readonly MaterialPropertyBlock block = new MaterialPropertyBlock();
+        private Material material;
+        private RenderTexture texture;
+        private SurfaceBuffers surface;
+        private int divisor = 1;
+        private int preparedAt = -1;
+        private Matrix4x4 localToWorld;
+        private Bounds bounds;
 
         /// <exception cref="FluidDeviceException">The shader is missing, or the device cannot blend half floats.</exception>
         public ThicknessPass(FluidShaderSet shaders)
@@ -30,7 +31,8 @@ namespace SphFluid
             if (!SystemInfo.SupportsRenderTextureFormat(Format) || !SystemInfo.SupportsBlendingOnRenderTextureFormat(Format))
             {
                 throw new FluidDeviceException(
-                    $"{SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType}) cannot add up half floats in a picture, which the water look needs. " +
+                    $"{SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType}) cannot add up half floats in a picture, which " +
+                    "the water look needs. " +
                     "Choose the opaque look.");
             }
             material = DrawMaterial.Create(shaders, "Hidden/SPH Fluid/Water Thickness");
@@ -99,14 +101,14 @@ namespace SphFluid
         /// <param name="size">Pixels of the camera's picture.</param>
         public void Record(CommandBuffer cmd, Matrix4x4 view, Matrix4x4 projection, Vector2Int size)
         {
-            if (preparedAt != Time.frameCount)
-                return;
+            if (preparedAt != Time.frameCount) return;
             Vector2Int part = ViewSize(size);
             cmd.SetRenderTarget(texture);
             cmd.ClearRenderTarget(false, true, new Color(0f, 0f, 0f, NoFarFace));
             cmd.SetViewport(new Rect(0f, 0f, Mathf.Min(part.x, texture.width), Mathf.Min(part.y, texture.height)));
             cmd.SetViewProjectionMatrices(view, projection);
-            cmd.DrawProceduralIndirect(surface.Indices, Matrix4x4.identity, material, 0, MeshTopology.Triangles, surface.Arguments, 0, block);
+            cmd.DrawProceduralIndirect(surface.Indices, Matrix4x4.identity, material, 0, MeshTopology.Triangles,
+                surface.Arguments, 0, block);
         }
 
         public void Dispose()
@@ -116,12 +118,11 @@ namespace SphFluid
         }
 
         // Half of an odd number is rounded up, e.g. 5 pixels to 3.
-        Vector2Int ViewSize(Vector2Int size) => new Vector2Int((size.x + divisor - 1) / divisor, (size.y + divisor - 1) / divisor);
+        private Vector2Int ViewSize(Vector2Int size) => new Vector2Int((size.x + divisor - 1) / divisor, (size.y + divisor - 1) / divisor);
 
-        void Fit(Vector2Int size)
+        private void Fit(Vector2Int size)
         {
-            if (texture != null && texture.width == size.x && texture.height == size.y)
-                return;
+            if (texture != null && texture.width == size.x && texture.height == size.y) return;
             Release();
             texture = new RenderTexture(size.x, size.y, 0, Format, RenderTextureReadWrite.Linear)
             {
@@ -133,10 +134,9 @@ namespace SphFluid
             texture.Create();
         }
 
-        void Release()
+        private void Release()
         {
-            if (texture != null)
-                texture.Release();
+            if (texture != null) texture.Release();
             OwnedObject.Destroy(ref texture);
         }
     }

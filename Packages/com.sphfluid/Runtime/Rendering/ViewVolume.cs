@@ -3,12 +3,12 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>What a camera can see, as six planes.</summary>
-    readonly struct ViewVolume
+    internal readonly struct ViewVolume
     {
-        const int Planes = 6;
+        private const int Planes = 6;
 
-        readonly Matrix4x4 matrix;
-        readonly bool isEverything;
+        private readonly Matrix4x4 matrix;
+        private readonly bool isEverything;
 
         public ViewVolume(Camera camera)
         {
@@ -30,14 +30,13 @@ namespace SphFluid
                 var inwards = new Vector3(plane.x, plane.y, plane.z);
                 var size = new Vector3(Mathf.Abs(plane.x), Mathf.Abs(plane.y), Mathf.Abs(plane.z));
                 bool isBeyond = Vector3.Dot(inwards, bounds.center) + plane.w + Vector3.Dot(size, bounds.extents) < 0f;
-                if (isBeyond && Vector3.Dot(inwards, direction) <= 0f)
-                    return false;
+                if (isBeyond && Vector3.Dot(inwards, direction) <= 0f) return false;
             }
             return true;
         }
 
         // -w <= x, y, z <= w in the picture, and the planes of that: w + x, w - x, w + y ...
-        Vector4 Plane(int i)
+        private Vector4 Plane(int i)
         {
             Vector4 row = matrix.GetRow(i / 2);
             return matrix.GetRow(3) + (i % 2 == 0 ? row : -row);

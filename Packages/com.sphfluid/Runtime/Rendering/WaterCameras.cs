@@ -5,17 +5,17 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>
-    /// Prepares each camera for the water that it is about to draw: the scene's textures are asked for, and every liquid's thickness is drawn as
-    /// the camera sees it. Listens to cameras only while there is water.
+    /// Prepares each camera for the water that it is about to draw: the scene's textures are asked for, and every liquid's thickness is
+    /// drawn as the camera sees it. Listens to cameras only while there is water.
     /// </summary>
-    static class WaterCameras
+    internal static class WaterCameras
     {
-        static readonly List<ThicknessPass> passes = new List<ThicknessPass>();
-        static readonly List<IBehindWater> behind = new List<IBehindWater>();
-        static readonly BuiltInSceneTextures builtIn = new BuiltInSceneTextures();
-        static Camera[] found = new Camera[4];
-        static CommandBuffer cmd;
-        static Vector2Int largestView;
+        private static readonly List<ThicknessPass> passes = new List<ThicknessPass>();
+        private static readonly List<IBehindWater> behind = new List<IBehindWater>();
+        private static readonly BuiltInSceneTextures builtIn = new BuiltInSceneTextures();
+        private static Camera[] found = new Camera[4];
+        private static CommandBuffer cmd;
+        private static Vector2Int largestView;
 
         /// <summary>The Universal Render Pipeline's textures, where the package's assembly for it is compiled; else null.</summary>
         internal static ISceneTextureSource Universal { get; set; }
@@ -29,8 +29,7 @@ namespace SphFluid
             get
             {
                 int count = FindCameras();
-                for (int i = 0; i < count; i++)
-                    Widen(found[i]);
+                for (int i = 0; i < count; i++) Widen(found[i]);
                 return Vector2Int.Max(largestView, Vector2Int.one);
             }
         }
@@ -43,16 +42,14 @@ namespace SphFluid
             int count = FindCameras();
             for (int i = 0; i < count; i++)
             {
-                if (pass.IsNear(found[i]))
-                    return true;
+                if (pass.IsNear(found[i])) return true;
             }
             return pass.NearAt >= Time.frameCount - 1;
         }
 
         public static void Add(ThicknessPass pass, SprayDrawing spray)
         {
-            if (passes.Count == 0)
-                Listen();
+            if (passes.Count == 0) Listen();
             passes.Add(pass);
             behind.Add(spray);
         }
@@ -60,8 +57,7 @@ namespace SphFluid
         public static void Remove(ThicknessPass pass, SprayDrawing spray)
         {
             behind.Remove(spray);
-            if (passes.Remove(pass) && passes.Count == 0)
-                StopListening();
+            if (passes.Remove(pass) && passes.Count == 0) StopListening();
         }
 
         /// <summary>Adds what is seen through water, whether there is water or not.</summary>
@@ -69,32 +65,33 @@ namespace SphFluid
 
         public static void Remove(IBehindWater drawing) => behind.Remove(drawing);
 
-        /// <summary>The thickness of the water that fills the domain of a drawing; null where no such water is drawn in this frame.</summary>
+        /// <summary>
+        /// The thickness of the water that fills the domain of a drawing; null where no such water is drawn in this frame.
+        /// </summary>
         public static ThicknessPass ThicknessOf(in DrawPlacement placement)
         {
             foreach (ThicknessPass pass in passes)
             {
-                if (pass.IsOf(placement))
-                    return pass;
+                if (pass.IsOf(placement)) return pass;
             }
             return null;
         }
 
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
-        static void ResetStatics()
+        private static void ResetStatics()
         {
             while (IsListening) Remove(passes[0], null);
             behind.Clear();
         }
 
-        static void Listen()
+        private static void Listen()
         {
             cmd = new CommandBuffer { name = "Fluid Water" };
             Camera.onPreCull += PrepareBuiltIn;
             RenderPipelineManager.beginCameraRendering += PrepareScriptable;
         }
 
-        static void StopListening()
+        private static void StopListening()
         {
             Camera.onPreCull -= PrepareBuiltIn;
             RenderPipelineManager.beginCameraRendering -= PrepareScriptable;
@@ -106,33 +103,29 @@ namespace SphFluid
             System.Array.Clear(found, 0, found.Length);
         }
 
-        static int FindCameras()
+        private static int FindCameras()
         {
-            if (found.Length < Camera.allCamerasCount)
-                found = new Camera[Camera.allCamerasCount];
+            if (found.Length < Camera.allCamerasCount) found = new Camera[Camera.allCamerasCount];
             return Camera.GetAllCameras(found);
         }
 
-        static void PrepareBuiltIn(Camera camera)
+        private static void PrepareBuiltIn(Camera camera)
         {
-            if (!Record(camera, builtIn))
-                return;
+            if (!Record(camera, builtIn)) return;
             builtIn.RecordCopy(camera, behind);
             Graphics.ExecuteCommandBuffer(cmd);
         }
 
-        static void PrepareScriptable(ScriptableRenderContext context, Camera camera)
+        private static void PrepareScriptable(ScriptableRenderContext context, Camera camera)
         {
             bool universal = DrawPipeline.Active == DrawPipelineKind.Universal;
-            if (!Record(camera, universal ? Universal : null))
-                return;
+            if (!Record(camera, universal ? Universal : null)) return;
             context.ExecuteCommandBuffer(cmd);
         }
 
-        static bool Record(Camera camera, ISceneTextureSource source)
+        private static bool Record(Camera camera, ISceneTextureSource source)
         {
-            if (camera.cameraType == CameraType.Preview)
-                return false;
+            if (camera.cameraType == CameraType.Preview) return false;
             LiquidViews.Prepare(camera);
             Widen(camera);
             var size = new Vector2Int(camera.pixelWidth, camera.pixelHeight);
@@ -142,16 +135,14 @@ namespace SphFluid
             cmd.SetGlobalVector(RenderShaderIds.FluidThicknessView, new Vector4(size.x, size.y, 0f, 0f));
             foreach (ThicknessPass pass in passes)
             {
-                if (!pass.IsSeenBy(camera))
-                    continue;
-                if (pass.IsNear(camera))
-                    pass.NearAt = Time.frameCount;
+                if (!pass.IsSeenBy(camera)) continue;
+                if (pass.IsNear(camera)) pass.NearAt = Time.frameCount;
                 pass.Record(cmd, camera.worldToCameraMatrix, camera.projectionMatrix, size);
             }
             return true;
         }
 
-        static void Widen(Camera camera) =>
+        private static void Widen(Camera camera) =>
             largestView = Vector2Int.Max(largestView, new Vector2Int(camera.pixelWidth, camera.pixelHeight));
     }
 }

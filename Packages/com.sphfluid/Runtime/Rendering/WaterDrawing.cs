@@ -4,13 +4,13 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>Draws a sparse surface as clear water, with a thickness picture that is made before each camera draws.</summary>
-    sealed class WaterDrawing : SurfaceDrawing
+    internal sealed class WaterDrawing : SurfaceDrawing
     {
-        readonly ThicknessPass thickness;
-        readonly SprayDrawing spray;
-        readonly SceneReflection reflection = new SceneReflection();
-        Material depth;
-        Material within;
+        private readonly ThicknessPass thickness;
+        private readonly SprayDrawing spray;
+        private readonly SceneReflection reflection = new SceneReflection();
+        private Material depth;
+        private Material within;
 
         /// <exception cref="FluidDeviceException">A shader is missing, or the device cannot run it.</exception>
         public WaterDrawing(FluidShaderSet shaders)
@@ -63,20 +63,19 @@ namespace SphFluid
         /// <param name="drawn">The spray.</param>
         /// <param name="shutter">How long the camera's shutter is open [s].</param>
         /// <param name="placement">Where it is.</param>
-        public void DrawSpray(in SprayBuffers drawn, float shutter, in DrawPlacement placement) => spray.Draw(drawn, shutter, placement, thickness);
+        public void DrawSpray(in SprayBuffers drawn, float shutter, in DrawPlacement placement) =>
+            spray.Draw(drawn, shutter, placement, thickness);
 
         public override void Draw(in SurfaceBuffers surface, Material ownMaterial, in DrawPlacement placement)
         {
             // Where water is blended, so that only its nearest layer is.
-            if (!WaterRoute.Active.IsComplete)
-                DrawUnlit(depth, surface, placement);
+            if (!WaterRoute.Active.IsComplete) DrawUnlit(depth, surface, placement);
             base.Draw(surface, ownMaterial, placement);
-            if (WaterCameras.AnyIsNear(thickness))
-                DrawUnlit(within, surface, placement);
+            if (WaterCameras.AnyIsNear(thickness)) DrawUnlit(within, surface, placement);
         }
 
         // One of the passes beside the water's own, which alone casts its shadow.
-        void DrawUnlit(Material material, in SurfaceBuffers surface, in DrawPlacement placement)
+        private void DrawUnlit(Material material, in SurfaceBuffers surface, in DrawPlacement placement)
         {
             DrawPipeline.Prepare(material, placement.Pipeline);
             RenderParams parameters = placement.Parameters(material, Block);

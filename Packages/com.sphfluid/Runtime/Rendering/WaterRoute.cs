@@ -1,9 +1,9 @@
 namespace SphFluid
 {
     /// <summary>What a render pipeline lets water show, in words for the inspector.</summary>
-    readonly struct WaterRoute
+    internal readonly struct WaterRoute
     {
-        WaterRoute(bool isComplete, string text)
+        private WaterRoute(bool isComplete, string text)
         {
             IsComplete = isComplete;
             Text = text;
@@ -26,11 +26,15 @@ namespace SphFluid
             switch (kind)
             {
                 case DrawPipelineKind.BuiltIn:
-                    return new WaterRoute(true, "Built-in pipeline: the water refracts a copy of each camera's picture, made before transparent things are drawn.");
+                    return new WaterRoute(true,
+                        "Built-in pipeline: the water refracts a copy of each camera's picture, made before transparent things are drawn.");
                 case DrawPipelineKind.Universal when hasUniversal:
-                    return new WaterRoute(true, "Universal Render Pipeline: the water refracts the opaque texture, which is asked for each frame.");
+                    return new WaterRoute(true,
+                        "Universal Render Pipeline: the water refracts the opaque texture, which is asked for each frame.");
                 case DrawPipelineKind.HighDefinition:
-                    return new WaterRoute(false, "High Definition Render Pipeline: the water is blended over the scene. Refraction, reflection probes and shadows are missing.");
+                    return new WaterRoute(false,
+                        "High Definition Render Pipeline: the water is blended over the scene. Refraction, reflection probes and shadows " +
+                        "are missing.");
                 default:
                     return new WaterRoute(false, "This render pipeline hands the water no picture of the scene: it is blended over it. " +
                         "Refraction is missing; it needs the Built-in pipeline or the Universal Render Pipeline 14 or newer.");

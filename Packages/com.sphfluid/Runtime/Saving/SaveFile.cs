@@ -7,22 +7,23 @@ using System.Text;
 namespace SphFluid
 {
     /// <summary>
-    /// The bytes of a save: a header of 32 bytes (SPHFLUID, version, number of sections, length of all of them, CRC-32 of the header so far), then
-    /// sections, each with a header of 24 bytes (name, length, CRC-32 of name, length and contents) and its contents. Little endian.
+    /// The bytes of a save: a header of 32 bytes (SPHFLUID, version, number of sections, length of all of them, CRC-32 of the header so
+    /// far), then sections, each with a header of 24 bytes (name, length, CRC-32 of name, length and contents) and its contents. Little
+    /// endian.
     /// </summary>
     internal static class SaveFile
     {
         /// <summary>Grows with each change of what sections hold; others are refused.</summary>
         public const uint Version = 3u;
 
-        const int HeaderSize = 32, SectionHeaderSize = 24, NameSize = 8;
-        const int Chunk = 1 << 20;
+        private const int HeaderSize = 32, SectionHeaderSize = 24, NameSize = 8;
+        private const int Chunk = 1 << 20;
 
         // "SPHFLUID"
-        const ulong Magic = 0x4449554C46485053ul;
+        private const ulong Magic = 0x4449554C46485053ul;
 
         [StructLayout(LayoutKind.Sequential)]
-        struct Header
+        private struct Header
         {
             public ulong Magic;
             public uint Version;
@@ -33,7 +34,7 @@ namespace SphFluid
         }
 
         [StructLayout(LayoutKind.Sequential)]
-        struct SectionHeader
+        private struct SectionHeader
         {
             public ulong Name;
             public long Length;
@@ -62,13 +63,17 @@ namespace SphFluid
         /// <summary>Reads what <see cref="Write"/> wrote, and no byte behind it.</summary>
         /// <param name="stream">Where it begins.</param>
         /// <returns>Contents by name.</returns>
-        /// <exception cref="InvalidDataException">It is none, of another version, or not whole; the message ends a sentence that begins with "the save".</exception>
+        /// <exception cref="InvalidDataException">It is none, of another version, or not whole; the message ends a sentence that begins
+        /// with "the save".</exception>
         public static Dictionary<string, byte[]> Read(Stream stream)
         {
             byte[] first = ReadBytes(stream, HeaderSize);
             Header header = MemoryMarshal.Read<Header>(first);
             if (header.Magic != Magic) throw new InvalidDataException("is no save of a liquid");
-            if (header.Version != Version) throw new InvalidDataException($"has the version {header.Version}, and this version of the package reads {Version}");
+            if (header.Version != Version)
+            {
+                throw new InvalidDataException($"has the version {header.Version}, and this version of the package reads {Version}");
+            }
             if (header.Check != Crc32.Compute(first.AsSpan(0, HeaderSize - sizeof(uint)))) throw Altered();
             var sections = new Dictionary<string, byte[]>();
             for (int i = 0; i < header.Sections; i++)
@@ -82,10 +87,10 @@ namespace SphFluid
             return sections;
         }
 
-        static InvalidDataException Altered() => new InvalidDataException("was altered since it was written");
+        private static InvalidDataException Altered() => new InvalidDataException("was altered since it was written");
 
         // In pieces: a length that is wrong makes no array of its size.
-        static byte[] ReadBytes(Stream stream, long count)
+        private static byte[] ReadBytes(Stream stream, long count)
         {
             var taken = new byte[(int)Math.Min(count, Chunk)];
             int read = 0;
@@ -99,16 +104,16 @@ namespace SphFluid
             return taken;
         }
 
-        static uint CheckOf(in SectionHeader section, ReadOnlySpan<byte> contents) =>
+        private static uint CheckOf(in SectionHeader section, ReadOnlySpan<byte> contents) =>
             Crc32.Compute(contents, Crc32.Compute(SaveWriter.BytesOf(section).Slice(0, SectionHeaderSize - sizeof(uint))));
 
-        static ulong NumberOf(string name)
+        private static ulong NumberOf(string name)
         {
             var bytes = new byte[NameSize];
             Encoding.ASCII.GetBytes(name, 0, name.Length, bytes, 0);
             return MemoryMarshal.Read<ulong>(bytes);
         }
 
-        static string NameOf(ulong number) => Encoding.ASCII.GetString(SaveWriter.BytesOf(number)).TrimEnd('\0');
+        private static string NameOf(ulong number) => Encoding.ASCII.GetString(SaveWriter.BytesOf(number)).TrimEnd('\0');
     }
 }

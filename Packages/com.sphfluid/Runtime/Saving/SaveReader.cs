@@ -10,10 +10,10 @@ namespace SphFluid
     /// <summary>Reads the contents of a section of a save, in the order in which they were written.</summary>
     internal sealed class SaveReader
     {
-        readonly string section;
-        readonly byte[] bytes;
-        readonly List<string> missing;
-        int place;
+        private readonly string section;
+        private readonly byte[] bytes;
+        private readonly List<string> missing;
+        private int place;
 
         /// <param name="section">Name of the section.</param>
         /// <param name="bytes">Its contents.</param>
@@ -68,15 +68,15 @@ namespace SphFluid
             return found;
         }
 
-        ReadOnlySpan<byte> ReadBytes(long count)
+        private ReadOnlySpan<byte> ReadBytes(long count)
         {
             if (count > bytes.Length - place) throw Ended();
             place += (int)count;
             return new ReadOnlySpan<byte>(bytes, place - (int)count, (int)count);
         }
 
-        static int SizeOf<T>() where T : unmanaged => MemoryMarshal.AsBytes(stackalloc T[1]).Length;
+        private static int SizeOf<T>() where T : unmanaged => MemoryMarshal.AsBytes(stackalloc T[1]).Length;
 
-        InvalidDataException Ended() => new InvalidDataException($"its section {section} is shorter than what it should hold");
+        private InvalidDataException Ended() => new InvalidDataException($"its section {section} is shorter than what it should hold");
     }
 }

@@ -9,7 +9,7 @@ namespace SphFluid
     /// <summary>Writes the contents of a section of a save.</summary>
     internal sealed class SaveWriter
     {
-        readonly MemoryStream stream = new MemoryStream();
+        private readonly MemoryStream stream = new MemoryStream();
 
         /// <summary>What was written.</summary>
         public ReadOnlySpan<byte> Bytes => new ReadOnlySpan<byte>(stream.GetBuffer(), 0, (int)stream.Length);
@@ -42,8 +42,9 @@ namespace SphFluid
         }
 
         /// <summary>A value as it lies in memory.</summary>
-        public static ReadOnlySpan<byte> BytesOf<T>(T value) where T : unmanaged => MemoryMarshal.AsBytes(new ReadOnlySpan<T>(new[] { value }));
+        public static ReadOnlySpan<byte> BytesOf<T>(T value)
+            where T : unmanaged => MemoryMarshal.AsBytes(new ReadOnlySpan<T>(new[] { value }));
 
-        void Write(ReadOnlySpan<byte> bytes) => stream.Write(bytes);
+        private void Write(ReadOnlySpan<byte> bytes) => stream.Write(bytes);
     }
 }

@@ -12,7 +12,9 @@ namespace SphFluid
         /// <summary>Density of the liquid at the probe [kg/m³].</summary>
         Density,
 
-        /// <summary>Mean pressure of the particles around the probe [Pa]. Noisy, and not what a wall feels: average it, and use it away from walls.</summary>
+        /// <summary>
+        /// Mean pressure of the particles around the probe [Pa]. Noisy, and not what a wall feels: average it, and use it away from walls.
+        /// </summary>
         LiquidPressure,
     }
 }

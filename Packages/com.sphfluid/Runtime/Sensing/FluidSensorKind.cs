@@ -18,7 +18,10 @@ namespace SphFluid
         /// <summary>Part of a box about the sensor that holds liquid, 0 to 1.</summary>
         FillLevel,
 
-        /// <summary>Volume a second that goes through a rectangle about the sensor along its forward axis, less what goes against it [m³/s]. Average it.</summary>
+        /// <summary>
+        /// Volume a second that goes through a rectangle about the sensor along its forward axis, less what goes against it [m³/s]. Average
+        /// it.
+        /// </summary>
         Flow,
     }
 }

@@ -6,8 +6,8 @@ namespace SphFluid
     /// <summary>The questions of a <see cref="SensorLine"/>.</summary>
     internal sealed class LineReading
     {
-        readonly List<FluidQuery> queries = new List<FluidQuery>();
-        readonly List<float> densities = new List<float>();
+        private readonly List<FluidQuery> queries = new List<FluidQuery>();
+        private readonly List<float> densities = new List<float>();
 
         /// <summary>Asks at the points of a line from now on.</summary>
         /// <param name="all">The liquid's queries.</param>

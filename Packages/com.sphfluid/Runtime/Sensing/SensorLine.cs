@@ -8,7 +8,7 @@ namespace SphFluid
     internal readonly struct SensorLine
     {
         // Points a particle spacing: the density falls from liquid to air over about two spacings.
-        const float PointsPerSpacing = 2f;
+        private const float PointsPerSpacing = 2f;
 
         /// <summary>Distance of the first point from the foot [m].</summary>
         public readonly float First;
@@ -22,7 +22,7 @@ namespace SphFluid
         /// <summary>Its foot alone.</summary>
         public static SensorLine Point => new SensorLine(0f, 0f, 1);
 
-        SensorLine(float first, float step, int count)
+        private SensorLine(float first, float step, int count)
         {
             First = first;
             Step = step;
@@ -56,8 +56,8 @@ namespace SphFluid
         }
 
         /// <summary>
-        /// Height of the surface of the lowest liquid on the line over its foot [m]: where the density falls below half the rest density, by
-        /// linear interpolation. 0 without liquid; the upper end where liquid reaches it.
+        /// Height of the surface of the lowest liquid on the line over its foot [m]: where the density falls below half the rest density,
+        /// by linear interpolation. 0 without liquid; the upper end where liquid reaches it.
         /// </summary>
         /// <param name="densities">Of the points, from the foot on [kg/m³].</param>
         /// <param name="restDensity">ρ0 [kg/m³].</param>

@@ -1,9 +1,11 @@
 namespace SphFluid
 {
-    /// <summary>Tells when a value crosses a threshold, once a crossing: it has to leave a band around the threshold on the other side.</summary>
+    /// <summary>
+    /// Tells when a value crosses a threshold, once a crossing: it has to leave a band around the threshold on the other side.
+    /// </summary>
     internal struct SensorSwitch
     {
-        bool isKnown;
+        private bool isKnown;
 
         /// <summary>Whether the value is above.</summary>
         public bool IsAbove { get; private set; }

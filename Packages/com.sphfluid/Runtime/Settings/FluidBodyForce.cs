@@ -35,7 +35,8 @@ namespace SphFluid
         }
 
         /// <inheritdoc/>
-        public bool Equals(FluidBodyForce other) => AffineMath.Same(Centre, other.Centre) && AffineMath.Same(RateSquared, other.RateSquared);
+        public bool Equals(FluidBodyForce other) => AffineMath.Same(Centre, other.Centre) &&
+            AffineMath.Same(RateSquared, other.RateSquared);
 
         /// <inheritdoc/>
         public override bool Equals(object obj) => obj is FluidBodyForce other && Equals(other);
@@ -43,12 +44,13 @@ namespace SphFluid
         /// <inheritdoc/>
         public override int GetHashCode() => HashCode.Combine(Centre, RateSquared);
 
-        static void CheckAxis(FluidAxes periodic, FluidAxes axis, float rate)
+        private static void CheckAxis(FluidAxes periodic, FluidAxes axis, float rate)
         {
             if ((periodic & axis) != 0 && rate != 0f)
             {
                 throw new ArgumentException(
-                    $"The body force's RateSquared is {rate} 1/s² along {axis}, which is periodic: there a particle has no one distance from the centre. " +
+                    $"The body force's RateSquared is {rate} 1/s² along {axis}, which is periodic: there a particle has no one distance " +
+                    "from the centre. " +
                     $"Set it to zero, or take {axis} out of Boundaries.Periodic.");
             }
         }

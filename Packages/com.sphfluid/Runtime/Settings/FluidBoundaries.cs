@@ -7,19 +7,28 @@ namespace SphFluid
     [Serializable]
     public struct FluidBoundaries : IEquatable<FluidBoundaries>
     {
-        /// <summary>Axes along which liquid that leaves one face comes in at the other, and feels what is there. Such faces are no walls.</summary>
+        /// <summary>
+        /// Axes along which liquid that leaves one face comes in at the other, and feels what is there. Such faces are no walls.
+        /// </summary>
         [Tooltip("Axes along which liquid that leaves one face comes in at the other. A change starts the liquid again.")]
         public FluidAxes Periodic;
 
-        /// <summary>Faces through which liquid leaves: particles beyond one are removed and counted. No wall is there. Methods Standard and Robust.</summary>
-        [Tooltip("Faces through which liquid leaves the domain: particles beyond one are removed and counted. Methods Standard and Robust.")]
+        /// <summary>
+        /// Faces through which liquid leaves: particles beyond one are removed and counted. No wall is there. Methods Standard and Robust.
+        /// </summary>
+        [Tooltip(
+            "Faces through which liquid leaves the domain: particles beyond one are removed and counted. Methods Standard and Robust.")]
         public FluidFaces Open;
 
         /// <summary>
         /// Share of the liquid's own viscous stress, τ = µ (v − v_wall)/distance, by which walls drag the layer next to them: 1 holds it
-        /// (no slip), 0 only pushes (free slip), as the thesis's walls do. Colliders have the same friction, unless a <see cref="FluidCollider"/> says otherwise.
+        /// (no slip), 0 only pushes (free slip), as the thesis's walls do. Colliders have the same friction, unless a
+        /// <see cref="FluidCollider"/> says otherwise.
         /// </summary>
-        [Range(0f, 1f), Tooltip("How much walls and colliders hold the liquid next to them: 0 lets it slip freely, 1 holds it by its own viscosity (no slip).")]
+        [Range(0f, 1f),
+            Tooltip(
+                "How much walls and colliders hold the liquid next to them: 0 lets it slip freely, 1 holds it by its own viscosity (no " +
+                "slip).")]
         public float Friction;
 
         /// <summary>Whether <see cref="Friction"/> is 1; setting it gives 1 or 0.</summary>
@@ -57,7 +66,8 @@ namespace SphFluid
         public bool IsDefault => Equals(default);
 
         /// <summary>Checks that every face can be computed with.</summary>
-        /// <exception cref="ArgumentException">A velocity is out of range or acts on nothing; the message names it and the cure.</exception>
+        /// <exception cref="ArgumentException">A velocity is out of range or acts on nothing; the message names it and the
+        /// cure.</exception>
         internal void Validate()
         {
             if ((Periodic & ~FluidAxes.All) != 0)
@@ -96,57 +106,61 @@ namespace SphFluid
             ((axes & FluidAxes.Y) != 0 ? FluidFaces.LowY | FluidFaces.HighY : FluidFaces.None) |
             ((axes & FluidAxes.Z) != 0 ? FluidFaces.LowZ | FluidFaces.HighZ : FluidFaces.None);
 
-        void CheckOpen()
+        private void CheckOpen()
         {
             if ((Open & ~FluidFaces.All) != 0)
             {
-                throw new ArgumentException($"Boundaries.Open is {(int)Open}; it must be a sum of LowX = 1, HighX = 2, LowY = 4, HighY = 8, LowZ = 16 and HighZ = 32.");
+                throw new ArgumentException(
+                    $"Boundaries.Open is {(int)Open}; it must be a sum of LowX = 1, HighX = 2, LowY = 4, HighY = 8, LowZ = 16 and HighZ " +
+                    "= 32.");
             }
 
             FluidFaces both = Open & FacesOf(Periodic);
             if (both != FluidFaces.None)
             {
                 throw new ArgumentException(
-                    $"Boundaries.Open has {both}, but Boundaries.Periodic has {Periodic}, whose faces lead into each other. Take the face out of one of both.");
+                    $"Boundaries.Open has {both}, but Boundaries.Periodic has {Periodic}, whose faces lead into each other. Take the " +
+                    "face out of one of both.");
             }
         }
 
-        void CheckWall(Vector3 velocity, FluidFaces name, FluidAxes axis, float across)
+        private void CheckWall(Vector3 velocity, FluidFaces name, FluidAxes axis, float across)
         {
             if (!(velocity.sqrMagnitude < float.PositiveInfinity))
             {
                 throw new ArgumentException($"The wall velocity Boundaries.{name} is {velocity} m/s; it must be finite numbers.");
             }
 
-            if (velocity == Vector3.zero)
-            {
-                return;
-            }
+            if (velocity == Vector3.zero) return;
 
             if (across != 0f)
             {
                 throw new ArgumentException(
-                    $"The wall velocity Boundaries.{name} is {velocity} m/s; it must lie in the wall's plane. Set its {axis} component to zero.");
+                    $"The wall velocity Boundaries.{name} is {velocity} m/s; it must lie in the wall's plane. Set its {axis} component " +
+                    "to zero.");
             }
 
             if ((Periodic & axis) != 0)
             {
                 throw new ArgumentException(
-                    $"The wall velocity Boundaries.{name} is {velocity} m/s, but {axis} is periodic and has no walls. Set the velocity to zero, or " +
+                    $"The wall velocity Boundaries.{name} is {velocity} m/s, but {axis} is periodic and has no walls. Set the velocity " +
+                    "to zero, or " +
                     $"take {axis} out of Boundaries.Periodic.");
             }
 
             if ((Open & name) != 0)
             {
                 throw new ArgumentException(
-                    $"The wall velocity Boundaries.{name} is {velocity} m/s, but that face is open and has no wall. Set the velocity to zero, or " +
+                    $"The wall velocity Boundaries.{name} is {velocity} m/s, but that face is open and has no wall. Set the velocity to " +
+                    "zero, or " +
                     $"take {name} out of Boundaries.Open.");
             }
 
             if (!(Friction > 0f))
             {
                 throw new ArgumentException(
-                    $"The wall velocity Boundaries.{name} is {velocity} m/s, but walls without friction only push. Set Boundaries.Friction, or the velocity to zero.");
+                    $"The wall velocity Boundaries.{name} is {velocity} m/s, but walls without friction only push. Set " +
+                    "Boundaries.Friction, or the velocity to zero.");
             }
         }
     }

@@ -10,11 +10,11 @@ namespace SphFluid
     public readonly struct FluidGrid
     {
         // Two cells of 2R, the octant's, or three of R: with fewer the loop would visit one of them twice.
-        const int OctantCells = 2;
-        const int RowCells = 3;
+        private const int OctantCells = 2;
+        private const int RowCells = 3;
 
         // What a product of a number of cells and their size may miss by rounding to float.
-        const double Rounding = 1e-6;
+        private const double Rounding = 1e-6;
 
         /// <summary>Grid over a domain box that is centred on the origin of simulation space, walls all around.</summary>
         /// <param name="domainSize">Size of the box [m].</param>
@@ -25,7 +25,7 @@ namespace SphFluid
         {
         }
 
-        FluidGrid(Vector3 domainSize, float cellSize, FluidAxes periodic, int leastCells)
+        private FluidGrid(Vector3 domainSize, float cellSize, FluidAxes periodic, int leastCells)
         {
             Require.Size(domainSize, nameof(domainSize));
             Require.Positive(cellSize, nameof(cellSize));
@@ -66,7 +66,8 @@ namespace SphFluid
         /// <exception cref="ArgumentException">A periodic axis is too short for the search, or there are too many cells.</exception>
         public static FluidGrid For(in FluidSolverSettings settings)
         {
-            return new FluidGrid(settings.DomainSize, CellSizeOf(settings), settings.Boundaries.Periodic, settings.OctantSearch ? OctantCells : RowCells);
+            return new FluidGrid(settings.DomainSize, CellSizeOf(settings), settings.Boundaries.Periodic,
+                settings.OctantSearch ? OctantCells : RowCells);
         }
 
         /// <summary>Checks that a running liquid can go on with other settings in its grid.</summary>
@@ -75,10 +76,12 @@ namespace SphFluid
         /// <exception cref="ArgumentException">They have another grid.</exception>
         internal static void CheckKept(in FluidSolverSettings settings, in FluidSolverSettings next)
         {
-            if (next.DomainSize != settings.DomainSize || next.SupportRadius != settings.SupportRadius || next.OctantSearch != settings.OctantSearch ||
+            if (next.DomainSize != settings.DomainSize || next.SupportRadius != settings.SupportRadius ||
+                next.OctantSearch != settings.OctantSearch ||
                 next.Boundaries.Periodic != settings.Boundaries.Periodic)
             {
-                throw new ArgumentException("DomainSize, SupportRadius, OctantSearch and Boundaries.Periodic cannot change while the liquid runs: " +
+                throw new ArgumentException(
+                    "DomainSize, SupportRadius, OctantSearch and Boundaries.Periodic cannot change while the liquid runs: " +
                     "the grid depends on them. Start a new solver.");
             }
         }
@@ -93,24 +96,25 @@ namespace SphFluid
                 (Cells(settings.DomainSize.z, cell, periodic, FluidAxes.Z, 0) + border);
         }
 
-        static float CellSizeOf(in FluidSolverSettings settings) => settings.OctantSearch ? 2f * settings.SupportRadius : settings.SupportRadius;
+        private static float CellSizeOf(in FluidSolverSettings settings) => settings.OctantSearch ? 2f * settings.SupportRadius
+            : settings.SupportRadius;
 
         // 1 m in cells of 0.3 m: 4 between walls, the last reaching over; 3 of 0.333 m on a periodic axis.
-        static double Cells(float length, float cellSize, FluidAxes periodic, FluidAxes axis, int leastCells)
+        private static double Cells(float length, float cellSize, FluidAxes periodic, FluidAxes axis, int leastCells)
         {
-            if ((periodic & axis) == 0)
-            {
-                return Math.Ceiling(length / (double)cellSize);
-            }
+            if ((periodic & axis) == 0) return Math.Ceiling(length / (double)cellSize);
 
             double count = Math.Floor(length / (double)cellSize * (1.0 + Rounding));
             if (count < leastCells)
             {
                 double radius = leastCells == OctantCells ? 0.5 * cellSize : cellSize;
                 throw new ArgumentException(
-                    $"The domain is {length:G6} m along {axis}, which is periodic, but with a support radius R = {radius:G6} m it must be " +
-                    $"{leastCells * cellSize:G6} m or more: {leastCells} cells of {cellSize:G6} m. Enlarge the domain along {axis}, use a smaller " +
-                    (leastCells == OctantCells ? "spacing, or set OctantSearch off, for which 3 R are enough." : "spacing, or give the axis walls."));
+                    $"The domain is {length:G6} m along {axis}, which is periodic, but with a support radius R = {radius:G6} m it must " +
+                    "be " +
+                    $"{leastCells * cellSize:G6} m or more: {leastCells} cells of {cellSize:G6} m. Enlarge the domain along {axis}, use " +
+                    "a smaller " +
+                    (leastCells == OctantCells ? "spacing, or set OctantSearch off, for which 3 R are enough."
+                        : "spacing, or give the axis walls."));
             }
 
             return count;

@@ -39,7 +39,10 @@ namespace SphFluid
         /// <summary>True: negative pressures act as zero. False: they act, which clumps particles at a surface.</summary>
         public bool PressureClamp;
 
-        /// <summary>True: the grid has cells of 2R, of which the 8 at the particle's octant are searched, as thesis 6.2 has it. False: cells of R, all 27.</summary>
+        /// <summary>
+        /// True: the grid has cells of 2R, of which the 8 at the particle's octant are searched, as thesis 6.2 has it. False: cells of R,
+        /// all 27.
+        /// </summary>
         public bool OctantSearch;
 
         /// <summary>What the faces of the domain do.</summary>
@@ -48,7 +51,7 @@ namespace SphFluid
         /// <summary>A force by position besides <see cref="Gravity"/>.</summary>
         public FluidBodyForce BodyForce;
 
-        IMethodSettings own;
+        private IMethodSettings own;
 
         /// <summary>Effective speed of sound c [m/s], from the method's own constants; 0 without them.</summary>
         public readonly float SoundSpeed => own?.SoundSpeed ?? 0f;
@@ -71,7 +74,8 @@ namespace SphFluid
         /// <exception cref="ArgumentException">The settings are for another method.</exception>
         public readonly T Own<T>() where T : struct, IMethodSettings => own is T mine
             ? mine
-            : throw new ArgumentException($"The settings are for the method {Method} and hold no {typeof(T).Name}. Derive them for the method by FluidRules.Derive.");
+            : throw new ArgumentException(
+                $"The settings are for the method {Method} and hold no {typeof(T).Name}. Derive them for the method by FluidRules.Derive.");
 
         /// <summary>These settings with other constants of the method's own.</summary>
         /// <param name="constants">The constants.</param>
@@ -128,10 +132,7 @@ namespace SphFluid
             own.Validate();
             Boundaries.Validate();
             BodyForce.Validate(Boundaries.Periodic);
-            if (Boundaries.Periodic != FluidAxes.None)
-            {
-                FluidGrid.For(this);
-            }
+            if (Boundaries.Periodic != FluidAxes.None) FluidGrid.For(this);
         }
     }
 }

@@ -1,6 +1,8 @@
 namespace SphFluid
 {
-    /// <summary>Constants that only one method has, a part of <see cref="FluidSolverSettings"/>. Implement it by a struct: copies are independent.</summary>
+    /// <summary>
+    /// Constants that only one method has, a part of <see cref="FluidSolverSettings"/>. Implement it by a struct: copies are independent.
+    /// </summary>
     public interface IMethodSettings
     {
         /// <summary>Effective speed of sound c [m/s].</summary>

@@ -11,7 +11,9 @@ namespace SphFluid
     public struct ThesisSwitches : IEquatable<ThesisSwitches>
     {
         /// <summary>True: a particle counts itself in its density, equation (11). Printed (6.3.1): off.</summary>
-        [Tooltip("A particle counts itself in its density, equation (11). Off: as 6.3.1 prints it; the liquid contracts, and a lone particle has density 0.")]
+        [Tooltip(
+            "A particle counts itself in its density, equation (11). Off: as 6.3.1 prints it; the liquid contracts, and a lone particle " +
+            "has density 0.")]
         public bool SelfDensity;
 
         /// <summary>True: negative pressures act as zero. Printed, equation (10): off.</summary>
@@ -19,7 +21,9 @@ namespace SphFluid
         public bool PressureClamp;
 
         /// <summary>True: the ½ of equation (13), k = 2 c². False: the full gradient, k = c². Printed: on.</summary>
-        [Tooltip("The ½ of equation (13), which halves the pressure gradient; the stiffness is then doubled, k = 2 c². Off: the full gradient, k = c².")]
+        [Tooltip(
+            "The ½ of equation (13), which halves the pressure gradient; the stiffness is then doubled, k = 2 c². Off: the full " +
+            "gradient, k = c².")]
         public bool PressureHalf;
 
         /// <summary>Limit on the fluid's own acceleration, 6.3.3 lines 04 to 06.</summary>
@@ -32,16 +36,22 @@ namespace SphFluid
         public bool ForceTimesMass;
 
         /// <summary>True: the first step takes the velocities half a step back, equation (21). Printed (6.3.4): off.</summary>
-        [Tooltip("The first step takes the velocities half a step back, where leapfrog wants them, equation (21). Off: as 6.3.4 prints it; a fall errs by ½ g t dt.")]
+        [Tooltip(
+            "The first step takes the velocities half a step back, where leapfrog wants them, equation (21). Off: as 6.3.4 prints it; a " +
+            "fall errs by ½ g t dt.")]
         public bool HalfKick;
 
         /// <summary>True: cells of 2h, of which 8 are searched, as 6.2 has it. False: cells of h, of which 27 are searched.</summary>
-        [Tooltip("Cells of 2h, of which the 8 at the particle's octant are searched, as 6.2 has it. Off: cells of h, all 27 around the particle, in 9 rows. " +
+        [Tooltip(
+            "Cells of 2h, of which the 8 at the particle's octant are searched, as 6.2 has it. Off: cells of h, all 27 around the " +
+            "particle, in 9 rows. " +
             "Same neighbours, other cost. A change starts the liquid again.")]
         public bool OctantSearch;
 
         /// <summary>True: the sort of <see cref="ThesisSettings.FusedSort"/>. Printed, Appendix A: off.</summary>
-        [Tooltip("The sort keeps runs of 2,048 pairs in shared memory from level to level, in a third of the dispatches. Off: as Appendix A has it. " +
+        [Tooltip(
+            "The sort keeps runs of 2,048 pairs in shared memory from level to level, in a third of the dispatches. Off: as Appendix A " +
+            "has it. " +
             "Same order, less time.")]
         public bool FusedSort;
 
@@ -85,6 +95,7 @@ namespace SphFluid
 
         /// <inheritdoc/>
         public override int GetHashCode() =>
-            HashCode.Combine(SelfDensity, PressureClamp, PressureHalf, AccelerationLimit, ForceTimesMass, HalfKick, OctantSearch, FusedSort);
+            HashCode.Combine(SelfDensity, PressureClamp, PressureHalf, AccelerationLimit, ForceTimesMass, HalfKick,
+                OctantSearch, FusedSort);
     }
 }

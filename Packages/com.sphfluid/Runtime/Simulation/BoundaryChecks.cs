@@ -22,12 +22,13 @@ namespace SphFluid
         public static bool FacesAreWrong(FluidSpec spec) => Fault(() => CheckFaces(spec)) != null;
 
         /// <summary>Whether the simulation, with a profile, searches cells of 2R.</summary>
-        public static bool SearchesOctants(in FluidSpec spec) => FluidMethods.Has(spec.Method) && FluidMethods.Get(spec.Method).SearchesOctants(spec.Profile.Rules);
+        public static bool SearchesOctants(in FluidSpec spec) => FluidMethods.Has(spec.Method) &&
+            FluidMethods.Get(spec.Method).SearchesOctants(spec.Profile.Rules);
 
-        static string Fault(FluidSpec spec) =>
+        private static string Fault(FluidSpec spec) =>
             Fault(() => CheckFaces(spec)) ?? Fault(() => spec.BodyForce.Validate(spec.Boundaries.Periodic));
 
-        static string Fault(Action check)
+        private static string Fault(Action check)
         {
             try
             {
@@ -40,7 +41,7 @@ namespace SphFluid
             }
         }
 
-        static void CheckFaces(in FluidSpec spec)
+        private static void CheckFaces(in FluidSpec spec)
         {
             FluidMethods.Get(spec.Method).CheckFaces(spec.Boundaries);
             if (spec.Boundaries.Periodic == FluidAxes.None || !spec.HasProfile) return;

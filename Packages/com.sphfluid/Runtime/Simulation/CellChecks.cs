@@ -5,14 +5,16 @@ using static System.FormattableString;
 
 namespace SphFluid
 {
-    /// <summary>Rules about the size of the neighbour grid: its memory goes with the domain's volume over R³, whether there is liquid or not.</summary>
+    /// <summary>
+    /// Rules about the size of the neighbour grid: its memory goes with the domain's volume over R³, whether there is liquid or not.
+    /// </summary>
     internal static class CellChecks
     {
         // Bytes of the longest buffer's element: first and end of a cell's particles.
-        const int CellStride = 8;
+        private const int CellStride = 8;
 
         // What a cure's spacing is enlarged by, so that its rounding to three digits does not undo it.
-        const double Margin = 1.01;
+        private const double Margin = 1.01;
 
         /// <summary>Checks a simulation whose domain size and spacing are positive numbers.</summary>
         public static void Check(in FluidSpec spec, List<FluidMessage> messages)
@@ -22,9 +24,11 @@ namespace SphFluid
             double needed = Needed(settings);
             long most = Most(settings.Method);
             if (needed <= most) return;
-            string owner = most < FluidMethods.Get(settings.Method).MaxCells ? $"a buffer of this device ({SystemInfo.graphicsDeviceName}) holds" : $"the method {settings.Method} holds";
+            string owner = most < FluidMethods.Get(settings.Method).MaxCells
+                ? $"a buffer of this device ({SystemInfo.graphicsDeviceName}) holds" : $"the method {settings.Method} holds";
             messages.Add(new FluidMessage(FluidSeverity.Error, FluidIssue.TooManyCells, spec.Owner,
-                Invariant($"The domain of {FluidMessage.Lengths(spec.DomainSize)} m needs {needed:N0} cells for the neighbour search at a spacing of {spec.Spacing} m, but {owner} {most:N0}."),
+                Invariant($"The domain of {FluidMessage.Lengths(spec.DomainSize)} m needs {needed:N0} cells for the neighbour search at ") +
+                Invariant($"a spacing of {spec.Spacing} m, but {owner} {most:N0}."),
                 Invariant($"Use a smaller Domain Size, or a Particle Spacing of {FittingSpacing(spec):G3} m or more.")));
         }
 
@@ -33,18 +37,22 @@ namespace SphFluid
             FluidMethods.Get(settings.Method).CellCount(settings);
 
         /// <summary>Most cells that a method may have on this device.</summary>
-        public static long Most(FluidMethodKind method) => Math.Min(FluidMethods.Get(method).MaxCells, SystemInfo.maxGraphicsBufferSize / CellStride);
+        public static long Most(FluidMethodKind method) =>
+            Math.Min(FluidMethods.Get(method).MaxCells, SystemInfo.maxGraphicsBufferSize / CellStride);
 
         /// <summary>Least spacing at which the domain's cells are few enough [m].</summary>
         public static float FittingSpacing(in FluidSpec spec)
         {
             double spacing = spec.Spacing, most = Most(spec.Method), needed;
-            while ((needed = Needed(Settings(spec, (float)spacing))) > most) spacing *= Math.Max(Margin, Math.Pow(needed / most, 1.0 / 3.0));
+            while ((needed = Needed(Settings(spec, (float)spacing))) > most)
+            {
+                spacing *= Math.Max(Margin, Math.Pow(needed / most, 1.0 / 3.0));
+            }
             return (float)(spacing * Margin);
         }
 
         // What the grid depends on.
-        static FluidSolverSettings Settings(in FluidSpec spec, float spacing) => new FluidSolverSettings
+        private static FluidSolverSettings Settings(in FluidSpec spec, float spacing) => new FluidSolverSettings
         {
             Method = spec.Method,
             DomainSize = spec.DomainSize,

@@ -17,7 +17,9 @@ namespace SphFluid
                 EmitterSpec emitter = spec.Emitters[i];
                 if (!emitter.UnderWater || EmitterChecks.Check(emitter, spec) != null) continue;
                 Matrix4x4 toSimulation = spec.WorldToLocal * Matrix4x4.TRS(emitter.Position, emitter.Rotation, Vector3.one);
-                walls.Add(new ColliderState(emitter.Owner, EmitterPipe.Create(emitter, spec.Spacing, spec.SupportRadius).Mesh, ColliderSettings.DomainFriction, toSimulation));
+                walls
+                    .Add(new ColliderState(emitter.Owner, EmitterPipe.Create(emitter, spec.Spacing, spec.SupportRadius).Mesh,
+                        ColliderSettings.DomainFriction, toSimulation));
             }
             return walls.Count > 0 ? walls : null;
         }
@@ -30,10 +32,15 @@ namespace SphFluid
         public static bool TryDrive(in EmitterSpec emitter, in FluidSpec spec, double soundSpeed, out ForceZone zone)
         {
             zone = default;
-            if (!emitter.UnderWater || !emitter.State.IsOn || EmitterChecks.Check(emitter, spec) != null || EmitterChecks.IsTooFast(emitter, spec, soundSpeed)) return false;
+            if (!emitter.UnderWater || !emitter.State.IsOn || EmitterChecks.Check(emitter, spec) != null ||
+                EmitterChecks.IsTooFast(emitter, spec, soundSpeed))
+            {
+                return false;
+            }
             Quaternion rotation = Quaternion.Inverse(spec.Rotation) * emitter.Rotation;
             Vector3 velocity = rotation * new Vector3(0f, 0f, (float)emitter.Speed(spec.Spacing)) + emitter.State.Carried;
-            zone = EmitterPipe.Create(emitter, spec.Spacing, spec.SupportRadius).Drive(spec.WorldToLocal.MultiplyPoint3x4(emitter.Position), rotation, velocity);
+            zone = EmitterPipe.Create(emitter, spec.Spacing, spec.SupportRadius)
+                .Drive(spec.WorldToLocal.MultiplyPoint3x4(emitter.Position), rotation, velocity);
             return true;
         }
     }

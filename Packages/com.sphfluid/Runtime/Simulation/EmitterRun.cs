@@ -3,18 +3,19 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>
-    /// An emitter in a running liquid. Its particles are a lattice that moves with the liquid: layers leave the nozzle at the times at which the one
-    /// before has gone the distance of layers, wherever frames and steps begin and end. A change of the speed acts from the next layer on.
+    /// An emitter in a running liquid. Its particles are a lattice that moves with the liquid: layers leave the nozzle at the times at
+    /// which the one before has gone the distance of layers, wherever frames and steps begin and end. A change of the speed acts from the
+    /// next layer on.
     /// </summary>
     internal sealed class EmitterRun
     {
-        EmitterSpec shape;
-        EmitterSites sites;
-        EmitterOutline outline; // null of other shapes than a mesh
-        double next = double.NegativeInfinity;
-        Vector3 position;
-        Quaternion rotation;
-        bool hasPose;
+        private EmitterSpec shape;
+        private EmitterSites sites;
+        private EmitterOutline outline; // null of other shapes than a mesh
+        private double next = double.NegativeInfinity;
+        private Vector3 position;
+        private Quaternion rotation;
+        private bool hasPose;
 
         public EmitterRun(int source) => Source = source;
 
@@ -37,7 +38,8 @@ namespace SphFluid
         /// <param name="end">And ends.</param>
         /// <param name="births">Receives the particles.</param>
         /// <param name="lifetimes">Receives when they leave, where they do.</param>
-        public void Emit(in EmitterSpec emitter, in FluidSpec spec, double begin, double end, BirthQueue births, ParticleLifetimes lifetimes)
+        public void Emit(in EmitterSpec emitter, in FluidSpec spec, double begin, double end, BirthQueue births,
+            ParticleLifetimes lifetimes)
         {
             Vector3 newPosition = spec.WorldToLocal.MultiplyPoint3x4(emitter.Position);
             Quaternion newRotation = Quaternion.Inverse(spec.Rotation) * emitter.Rotation;
@@ -94,11 +96,11 @@ namespace SphFluid
             hasPose = reader.Read<bool>(),
         };
 
-        bool HasOutline(in EmitterSpec emitter, float spacing) => ReferenceEquals(outline, Outline(emitter, spacing));
+        private bool HasOutline(in EmitterSpec emitter, float spacing) => ReferenceEquals(outline, Outline(emitter, spacing));
 
-        static EmitterOutline Outline(in EmitterSpec emitter, float spacing) =>
+        private static EmitterOutline Outline(in EmitterSpec emitter, float spacing) =>
             emitter.Shape == FluidEmitterShape.Mesh ? EmitterOutline.Create(emitter, spacing) : null;
 
-        static bool IsSame(in EmitterSpec a, in EmitterSpec b) => a.Shape == b.Shape && a.Size.Equals(b.Size);
+        private static bool IsSame(in EmitterSpec a, in EmitterSpec b) => a.Shape == b.Shape && a.Size.Equals(b.Size);
     }
 }

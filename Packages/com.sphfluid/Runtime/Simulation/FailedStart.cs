@@ -3,8 +3,8 @@ namespace SphFluid
     /// <summary>What a simulation was when it could not start or go on: the next try comes with the next change.</summary>
     internal sealed class FailedStart
     {
-        (FluidStartKey, FluidLiveKey, FluidCapacityPolicy, int)? keys;
-        int sources;
+        private (FluidStartKey, FluidLiveKey, FluidCapacityPolicy, int)? keys;
+        private int sources;
 
         /// <summary>It failed.</summary>
         /// <param name="spec">The simulation.</param>
@@ -21,9 +21,10 @@ namespace SphFluid
         /// <summary>Whether it failed and is still the same.</summary>
         /// <param name="spec">The simulation.</param>
         /// <param name="sources">What its volumes, emitters and zones are, as <see cref="SceneParts.Sources"/>.</param>
-        public bool IsUnchanged(in FluidSpec spec, int sources) => keys != null && keys.Value.Equals(KeysOf(spec)) && this.sources == sources;
+        public bool IsUnchanged(in FluidSpec spec, int sources) => keys != null && keys.Value.Equals(KeysOf(spec)) &&
+            this.sources == sources;
 
-        static (FluidStartKey, FluidLiveKey, FluidCapacityPolicy, int) KeysOf(in FluidSpec spec) =>
+        private static (FluidStartKey, FluidLiveKey, FluidCapacityPolicy, int) KeysOf(in FluidSpec spec) =>
             (FluidStartKey.Create(spec), FluidLiveKey.AsGiven(spec), spec.CapacityPolicy, spec.Capacity);
     }
 }

@@ -5,10 +5,13 @@ using UnityEngine;
 
 namespace SphFluid
 {
-    /// <summary>What a simulation has to fulfil, by its spec. The checks look and change nothing; one set serves the inspector, the console and tests.</summary>
+    /// <summary>
+    /// What a simulation has to fulfil, by its spec. The checks look and change nothing; one set serves the inspector, the console and
+    /// tests.
+    /// </summary>
     internal static class FluidChecks
     {
-        const float ScaleTolerance = 1e-4f, MostGravity = 1e5f;
+        private const float ScaleTolerance = 1e-4f, MostGravity = 1e5f;
 
         /// <summary>Checks a simulation with its liquid and its colliders, of a prefab asset only the settings.</summary>
         /// <param name="spec">The simulation.</param>
@@ -38,7 +41,8 @@ namespace SphFluid
             Check(spec, collision, (now, messages) => Begin(now, volumes, collision, spawn, messages, out _), out start, measures);
 
         /// <summary>Checks a simulation that begins as it is said.</summary>
-        internal static List<FluidMessage> Check(in FluidSpec given, CollisionScene collision, Func<FluidSpec, List<FluidMessage>, FluidStart> begin, out FluidStart start,
+        internal static List<FluidMessage> Check(in FluidSpec given, CollisionScene collision,
+            Func<FluidSpec, List<FluidMessage>, FluidStart> begin, out FluidStart start,
             bool measures = false)
         {
             FluidSpec spec = given;
@@ -61,7 +65,10 @@ namespace SphFluid
                 {
                     CheckColliders(spec, collision, messages);
                     start = begin(spec, messages);
-                    if (start != null && spec.Automatic.IsOn && !HasErrors(messages)) spec = Choose(spec, start, collision, measures, messages);
+                    if (start != null && spec.Automatic.IsOn && !HasErrors(messages))
+                    {
+                        spec = Choose(spec, start, collision, measures, messages);
+                    }
                 }
                 BoundaryChecks.Check(spec, messages);
                 EmitterChecks.Check(spec, messages);
@@ -92,17 +99,20 @@ namespace SphFluid
             return false;
         }
 
-        static void CheckDevice(in FluidSpec spec, List<FluidMessage> messages)
+        private static void CheckDevice(in FluidSpec spec, List<FluidMessage> messages)
         {
             foreach (FluidMessage message in FluidSupport.Query().ErrorsOf(spec.Method))
+            {
                 messages.Add(new FluidMessage(message.Severity, message.Issue, spec.Owner, message.Text, message.Cure));
+            }
         }
 
-        static void CheckReferences(in FluidSpec spec, List<FluidMessage> messages)
+        private static void CheckReferences(in FluidSpec spec, List<FluidMessage> messages)
         {
             if (!spec.HasProfile)
                 messages.Add(Error(spec.Owner, FluidIssue.ProfileMissing, "No profile is assigned.",
-                    "Assign a Fluid Profile, for instance WaterProfile from the package's Runtime/Assets, or make one with Assets > Create > SPH Fluid > Fluid Profile."));
+                    "Assign a Fluid Profile, for instance WaterProfile from the package's Runtime/Assets, or make one with Assets > " +
+                    "Create > SPH Fluid > Fluid Profile."));
             else if (spec.Profile.Shaders == null)
                 messages.Add(Error(spec.Profile.Asset, FluidIssue.ShadersMissing, "The profile has no shader set.",
                     "Assign the package's DefaultFluidShaderSet from Runtime/Assets to the profile's Shaders."));
@@ -111,26 +121,30 @@ namespace SphFluid
                     "Add the shaders of these names from the package's Shaders folder, or use the package's DefaultFluidShaderSet."));
         }
 
-        static void CheckTransform(in FluidSpec spec, List<FluidMessage> messages)
+        private static void CheckTransform(in FluidSpec spec, List<FluidMessage> messages)
         {
             Vector3 scale = spec.Scale;
             bool unit = Mathf.Abs(scale.x - 1f) <= ScaleTolerance && Mathf.Abs(scale.y - 1f) <= ScaleTolerance &&
                 Mathf.Abs(scale.z - 1f) <= ScaleTolerance;
             if (!unit)
+            {
                 messages.Add(Error(spec.Owner, FluidIssue.TransformScaled,
                     $"The transform's scale is {FluidMessage.Lengths(scale)}, but the liquid is computed in metres and needs scale 1.",
                     "Set the scale of this object and its parents to 1 and give the size in Domain Size."));
+            }
         }
 
-        static bool CheckNumbers(in FluidSpec spec, List<FluidMessage> messages)
+        private static bool CheckNumbers(in FluidSpec spec, List<FluidMessage> messages)
         {
             Vector3 size = spec.DomainSize;
             float spacing = spec.Spacing;
             bool sized = AffineMath.IsFinite(size) && size.x > 0f && size.y > 0f && size.z > 0f;
             bool spaced = AffineMath.IsFinite(spacing) && spacing > 0f;
             if (!sized)
+            {
                 messages.Add(Error(spec.Owner, FluidIssue.DomainSizeInvalid, $"The domain size is {FluidMessage.Lengths(size)} m.",
                     "Give Domain Size three numbers greater than zero."));
+            }
             if (!spaced)
                 messages.Add(Error(spec.Owner, FluidIssue.SpacingInvalid, $"The particle spacing is {spacing} m.",
                     "Give Particle Spacing a number greater than zero."));
@@ -139,34 +153,52 @@ namespace SphFluid
                     $"The domain of {FluidMessage.Lengths(size)} m is less than two particles of {spacing} m wide.",
                     "Use a smaller Particle Spacing or a larger Domain Size."));
             if (!(spec.Gravity.magnitude <= MostGravity))
-                messages.Add(Error(spec.Owner, FluidIssue.GravityInvalid, "Gravity is not a finite number of up to 100,000 m/s².", "Give Gravity three finite numbers."));
+            {
+                messages
+                    .Add(Error(spec.Owner, FluidIssue.GravityInvalid, "Gravity is not a finite number of up to 100,000 m/s².",
+                        "Give Gravity three finite numbers."));
+            }
             CheckBudget(spec, messages);
             float step = spec.FixedTimeStep;
             if (spec.TimeStepMode == FluidTimeStepMode.Fixed && !(AffineMath.IsFinite(step) && step > 0f))
+            {
                 messages.Add(Error(spec.Owner, FluidIssue.TimeStepInvalid, $"The fixed time step is {step} s.",
                     "Give Fixed Time Step a number greater than zero, or set Time Step Mode to Automatic."));
+            }
             return sized && spaced && AffineMath.IsFinite(spec.Position);
         }
 
-        static void CheckBudget(in FluidSpec spec, List<FluidMessage> messages)
+        private static void CheckBudget(in FluidSpec spec, List<FluidMessage> messages)
         {
             if (!spec.Automatic.IsOn) return;
             if (!(spec.Automatic.Budget > 0.0) || double.IsInfinity(spec.Automatic.Budget))
-                messages.Add(Error(spec.Owner, FluidIssue.MethodChoice, FormattableString.Invariant($"The frame budget is {spec.Automatic.Budget} ms, so no method can be chosen by it."),
+            {
+                messages
+                    .Add(Error(spec.Owner, FluidIssue.MethodChoice,
+                        FormattableString.Invariant($"The frame budget is {spec.Automatic.Budget} ms, so no method can be chosen by it."),
                     "Give Frame Budget the milliseconds that this liquid's steps may take of a frame, or choose a Method."));
+            }
             if (!(spec.Automatic.FrameRate > 0.0) || double.IsInfinity(spec.Automatic.FrameRate))
-                messages.Add(Error(spec.Owner, FluidIssue.MethodChoice, FormattableString.Invariant($"The budget frame rate is {spec.Automatic.FrameRate} frames a second."),
+            {
+                messages
+                    .Add(Error(spec.Owner, FluidIssue.MethodChoice,
+                        FormattableString.Invariant($"The budget frame rate is {spec.Automatic.FrameRate} frames a second."),
                     "Give Budget Frame Rate a number greater than zero, or zero for the application's own."));
+            }
         }
 
         // A start that goes on from a save has its choice.
-        static FluidSpec Choose(in FluidSpec spec, FluidStart start, CollisionScene collision, bool measures, List<FluidMessage> messages)
+        private static FluidSpec Choose(in FluidSpec spec, FluidStart start, CollisionScene collision, bool measures,
+            List<FluidMessage> messages)
         {
             try
             {
                 FluidShaderSet shaders = spec.Profile.Shaders;
                 StepMeter meter = null;
-                if (measures) meter = (in FluidSolverSettings settings) => StepCalibration.Measure(settings, shaders, start.Particles, collision);
+                if (measures)
+                {
+                    meter = (in FluidSolverSettings settings) => StepCalibration.Measure(settings, shaders, start.Particles, collision);
+                }
                 start.Choice ??= MethodChooser.Choose(spec, start, collision.Solids.Count > 0, meter);
                 if (start.Choice == null)
                 {
@@ -182,7 +214,7 @@ namespace SphFluid
             }
         }
 
-        static void CheckColliders(in FluidSpec spec, CollisionScene collision, List<FluidMessage> messages)
+        private static void CheckColliders(in FluidSpec spec, CollisionScene collision, List<FluidMessage> messages)
         {
             CollisionQuery query = spec.Query();
             collision.Gather(query);
@@ -209,15 +241,17 @@ namespace SphFluid
             SpawnResult result = spawn(SpawnRequests.For(spec, shapes, collision));
             if (!LiquidChecks.CheckCount(spec, result, messages)) return null; // far more than that are not gone through
             LiquidChecks.Check(spec, found, result, collision, messages);
-            return new FluidStart(result.Particles, result.Needed, LiquidExtent.Create(shapes, spec.DomainSize), result.Fastest) { Gravity = spec.LocalGravity };
+            return new FluidStart(result.Particles, result.Needed, LiquidExtent.Create(shapes, spec.DomainSize),
+                result.Fastest)
+            { Gravity = spec.LocalGravity };
         }
 
-        static FluidMessage Unplaced(in FluidSpec spec) => new FluidMessage(
+        private static FluidMessage Unplaced(in FluidSpec spec) => new FluidMessage(
             FluidSeverity.Info, FluidIssue.PrefabAsset, spec.Owner,
             "This is a prefab asset: its liquid and colliders are checked once it is in a scene.",
             "Place it in a scene or open the prefab to check all of it.");
 
-        static bool TryDerive(in FluidSpec spec, FluidStart start, List<FluidMessage> messages)
+        private static bool TryDerive(in FluidSpec spec, FluidStart start, List<FluidMessage> messages)
         {
             try
             {
@@ -231,7 +265,7 @@ namespace SphFluid
             }
         }
 
-        static FluidMessage Error(UnityEngine.Object context, FluidIssue issue, string text, string cure) =>
+        private static FluidMessage Error(UnityEngine.Object context, FluidIssue issue, string text, string cure) =>
             new FluidMessage(FluidSeverity.Error, issue, context, text, cure);
     }
 }

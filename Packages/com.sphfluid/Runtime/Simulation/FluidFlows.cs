@@ -8,20 +8,20 @@ namespace SphFluid
     internal sealed class FluidFlows
     {
         // Of what an emitter gives, besides a layer and a bit: where a pump begins, liquid stands in the place of the first.
-        const double BlockedShare = 0.02;
-        const double BlockedLayers = 1.5;
+        private const double BlockedShare = 0.02;
+        private const double BlockedLayers = 1.5;
 
-        readonly FluidSolver solver;
-        readonly FluidStart start;
-        readonly Action<FluidMessage> report;
-        readonly Dictionary<EmitterState, EmitterRun> emitters = new Dictionary<EmitterState, EmitterRun>();
-        readonly Dictionary<DrainState, int> drainSources = new Dictionary<DrainState, int>();
-        readonly List<EmitterState> gone = new List<EmitterState>();
-        readonly List<DrainState> goneDrains = new List<DrainState>();
-        readonly List<(DrainZone zone, int source)> zones = new List<(DrainZone, int)>();
-        readonly List<DrainZone> once = new List<DrainZone>();
-        readonly int firstCapacity;
-        bool reportedGrowth, reportedRecycling, reportedFull;
+        private readonly FluidSolver solver;
+        private readonly FluidStart start;
+        private readonly Action<FluidMessage> report;
+        private readonly Dictionary<EmitterState, EmitterRun> emitters = new Dictionary<EmitterState, EmitterRun>();
+        private readonly Dictionary<DrainState, int> drainSources = new Dictionary<DrainState, int>();
+        private readonly List<EmitterState> gone = new List<EmitterState>();
+        private readonly List<DrainState> goneDrains = new List<DrainState>();
+        private readonly List<(DrainZone zone, int source)> zones = new List<(DrainZone, int)>();
+        private readonly List<DrainZone> once = new List<DrainZone>();
+        private readonly int firstCapacity;
+        private bool reportedGrowth, reportedRecycling, reportedFull;
 
         public FluidFlows(FluidSolver solver, FluidStart start, Action<FluidMessage> report)
         {
@@ -34,7 +34,11 @@ namespace SphFluid
         /// <summary>Whether something comes or goes, so that the liquid cannot sleep.</summary>
         public bool Acts(in FluidSpec spec)
         {
-            if (spec.Drains?.Count > 0 || once.Count > 0 || IsUsed && (solver.Exchange.Births.Waiting > 0 || solver.Exchange.Lifetimes.Waiting > 0)) return true;
+            if (spec.Drains?.Count > 0 || once.Count > 0 || IsUsed &&
+                (solver.Exchange.Births.Waiting > 0 || solver.Exchange.Lifetimes.Waiting > 0))
+            {
+                return true;
+            }
             for (int i = 0; i < (spec.Emitters?.Count ?? 0); i++)
                 if (spec.Emitters[i].State.IsOn) return true;
             return false;
@@ -65,7 +69,9 @@ namespace SphFluid
         {
             Use();
             for (int i = 0; i < particles.Count; i++)
+            {
                 solver.Exchange.Births.Add(particles[i].Position, particles[i].VelT0, solver.SimulatedTime, SourceCounts.Added);
+            }
         }
 
         /// <summary>To be called before the steps of a frame are recorded.</summary>
@@ -147,11 +153,11 @@ namespace SphFluid
             Count(spec);
         }
 
-        bool IsUsed { get; set; }
+        private bool IsUsed { get; set; }
 
-        void Use() => IsUsed = true;
+        private void Use() => IsUsed = true;
 
-        void Emit(in FluidSpec spec, double time)
+        private void Emit(in FluidSpec spec, double time)
         {
             foreach (EmitterRun run in emitters.Values) run.IsUsed = false;
             double begin = solver.SimulatedTime;
@@ -169,7 +175,8 @@ namespace SphFluid
                     Adopt(emitter.State);
                 }
                 run.IsUsed = true;
-                double soundSpeed = emitter.State.IsOn ? solver.Settings.SoundSpeed : double.PositiveInfinity; // it falls where nothing comes in
+                // it falls where nothing comes in
+                double soundSpeed = emitter.State.IsOn ? solver.Settings.SoundSpeed : double.PositiveInfinity;
                 if (EmitterChecks.Check(emitter, spec) is FluidMessage wrong) report(wrong);
                 else if (EmitterChecks.IsTooFast(emitter, spec, soundSpeed)) report(TooFast(emitter, spec, soundSpeed));
                 else run.Emit(emitter, spec, begin, begin + time, solver.Exchange.Births, solver.Exchange.Lifetimes);
@@ -184,21 +191,23 @@ namespace SphFluid
             }
         }
 
-        FluidMessage TooFast(in EmitterSpec emitter, in FluidSpec spec, double soundSpeed)
+        private FluidMessage TooFast(in EmitterSpec emitter, in FluidSpec spec, double soundSpeed)
         {
             double speed = emitter.Speed(spec.Spacing);
-            return EmitterChecks.Wrong(emitter, FormattableString.Invariant($"The emitter gives liquid of {speed:0.###} m/s, more than a quarter of the speed of sound of '{spec.Name}', {soundSpeed:0.#} m/s."),
+            return EmitterChecks.Wrong(emitter,
+                FormattableString.Invariant($"The emitter gives liquid of {speed:0.###} m/s, more than a quarter of the speed of sound ") +
+                FormattableString.Invariant($"of '{spec.Name}', {soundSpeed:0.#} m/s."),
                 FluidConstants.ExpectedSpeedCure(spec, start, speed) + ", or use a larger Size or less flow.");
         }
 
         // One that was disabled goes on counting.
-        void Adopt(EmitterState state)
+        private void Adopt(EmitterState state)
         {
             if (state.Run != this) (state.Run, state.Emitted, state.Blocked, state.Refused) = (this, 0.0, 0.0, 0.0);
             (state.EmittedBefore, state.BlockedBefore, state.RefusedBefore) = (state.Emitted, state.Blocked, state.Refused);
         }
 
-        void Drain(in FluidSpec spec)
+        private void Drain(in FluidSpec spec)
         {
             zones.Clear();
             Matrix4x4 worldToLocal = spec.WorldToLocal;
@@ -236,7 +245,7 @@ namespace SphFluid
             solver.Exchange.SetDrains(zones);
         }
 
-        void Count(in FluidSpec spec)
+        private void Count(in FluidSpec spec)
         {
             double volume = Math.Pow(spec.Spacing, 3);
             SourceCounts counts = solver.Exchange.Counts;
@@ -248,28 +257,34 @@ namespace SphFluid
                 state.Blocked = state.BlockedBefore + volume * counts.Blocked(source);
                 state.Refused = state.RefusedBefore + volume * counts.Refused(source);
             }
-            foreach (KeyValuePair<DrainState, int> pair in drainSources) pair.Key.Drained = pair.Key.Before + volume * counts.Passed(pair.Value);
+            foreach (KeyValuePair<DrainState, int> pair in drainSources)
+            {
+                pair.Key.Drained = pair.Key.Before + volume * counts.Passed(pair.Value);
+            }
         }
 
-        void Report(in FluidSpec spec)
+        private void Report(in FluidSpec spec)
         {
             if (!reportedGrowth && solver.Capacity > firstCapacity)
             {
                 reportedGrowth = true;
                 report(new FluidMessage(FluidSeverity.Info, FluidIssue.CapacityGrown, spec.Owner, FormattableString.Invariant(
-                    $"There are slots for {solver.Capacity} particles now, as more liquid came in. Whenever they are full they double, up to {spec.MostParticles}."), ""));
+                    $"There are slots for {solver.Capacity} particles now, as more liquid came in. Whenever they are full they double, ") +
+                    FormattableString.Invariant($"up to {spec.MostParticles}."), ""));
             }
             if (!reportedRecycling && solver.Exchange.Counts.Passed(SourceCounts.Recycled) > 0)
             {
                 reportedRecycling = true;
                 report(new FluidMessage(FluidSeverity.Info, FluidIssue.CapacityReached, spec.Owner,
-                    FormattableString.Invariant($"The liquid has {spec.MostParticles} particles, and the oldest leave for those that come in."), ""));
+                    FormattableString.Invariant($"The liquid has {spec.MostParticles} particles, and the oldest leave for those that ") +
+                    "come in.", ""));
             }
             if (!reportedFull && solver.Counters.Refused > 0)
             {
                 reportedFull = true;
                 report(new FluidMessage(FluidSeverity.Warning, FluidIssue.CapacityReached, spec.Owner,
-                    FormattableString.Invariant($"The liquid has {spec.MostParticles} particles, as many as it may have: nothing more comes in."),
+                    FormattableString.Invariant($"The liquid has {spec.MostParticles} particles, as many as it may have: nothing more ") +
+                    "comes in.",
                     "Raise Capacity, or Max Particles in the profile, add a Fluid Drain, or set Capacity Policy to Recycle Oldest."));
             }
             for (int i = 0; i < (spec.Emitters?.Count ?? 0); i++)
@@ -280,27 +295,31 @@ namespace SphFluid
                 if (!(emitter.State.Blocked > BlockedShare * given + BlockedLayers * run.Sites * Math.Pow(spec.Spacing, 3))) continue;
                 run.ReportedBlocked = true;
                 report(new FluidMessage(FluidSeverity.Warning, FluidIssue.EmitterBlocked, emitter.Owner,
-                    FormattableString.Invariant($"Of what the emitter gives {100.0 * emitter.State.Blocked / given:0} % finds no place: liquid stands before the nozzle, or the nozzle reaches out of the domain."),
-                    emitter.UnderWater ? "Move the nozzle into the domain, away from colliders, or lower its speed." : "Raise the nozzle out of the liquid, switch Under Water on, or move it into the domain."));
+                    FormattableString.Invariant($"Of what the emitter gives {100.0 * emitter.State.Blocked / given:0} % finds no place: ") +
+                    "liquid stands before the nozzle, or the nozzle reaches out of the domain.",
+                    emitter.UnderWater ? "Move the nozzle into the domain, away from colliders, or lower its speed."
+                        : "Raise the nozzle out of the liquid, switch Under Water on, or move it into the domain."));
             }
         }
 
-        static Component OwnerOf(in FluidSpec spec, EmitterState state)
+        private static Component OwnerOf(in FluidSpec spec, EmitterState state)
         {
             for (int i = 0; i < (spec.Emitters?.Count ?? 0); i++)
                 if (spec.Emitters[i].State == state) return spec.Emitters[i].Owner;
             return null;
         }
 
-        static Component OwnerOf(in FluidSpec spec, DrainState state)
+        private static Component OwnerOf(in FluidSpec spec, DrainState state)
         {
             for (int i = 0; i < (spec.Drains?.Count ?? 0); i++)
                 if (spec.Drains[i].State == state) return spec.Drains[i].Owner;
             return null;
         }
 
-        void ReportTooMany(in FluidSpec spec, Component owner) => report(new FluidMessage(FluidSeverity.Warning, FluidIssue.EmitterInvalid, owner,
-            $"'{spec.Name}' has {SourceCounts.Most} emitters and drains, or {ParticleExchange.MostDrains} drains, as many as a liquid may have; this one does nothing.",
+        private void ReportTooMany(in FluidSpec spec, Component owner) =>
+            report(new FluidMessage(FluidSeverity.Warning, FluidIssue.EmitterInvalid, owner,
+            $"'{spec.Name}' has {SourceCounts.Most} emitters and drains, or {ParticleExchange.MostDrains} drains, as many as a liquid " +
+            "may have; this one does nothing.",
             "Disable some, or make one of several."));
     }
 }

@@ -5,7 +5,7 @@ namespace SphFluid
     /// <summary>What a simulation has said since its last start, each message once.</summary>
     internal sealed class FluidMessageLog
     {
-        readonly List<FluidMessage> messages = new List<FluidMessage>();
+        private readonly List<FluidMessage> messages = new List<FluidMessage>();
 
         /// <summary>The messages, in the order in which they came.</summary>
         public IReadOnlyList<FluidMessage> All => messages;

@@ -4,28 +4,30 @@ using UnityEngine.Rendering;
 
 namespace SphFluid
 {
-    /// <summary>How a running simulation spends its steps: how long they are, how many a frame takes, and whether the liquid rests and needs none.</summary>
+    /// <summary>
+    /// How a running simulation spends its steps: how long they are, how many a frame takes, and whether the liquid rests and needs none.
+    /// </summary>
     internal sealed class FluidPace : IDisposable
     {
         // The measured speed is a few frames old; liquid that hits something is faster by now.
-        const double SpeedMargin = 1.25;
+        private const double SpeedMargin = 1.25;
 
         // No liquid is measured to be without pressure altogether.
-        const double LeastCompression = 1e-4;
+        private const double LeastCompression = 1e-4;
 
         // Of the step by rule: at a million times the speed of sound there is no liquid left to compute.
-        const double ShortestStep = 1e-6;
+        private const double ShortestStep = 1e-6;
 
-        readonly FluidSolver solver;
-        readonly FluidStart start;
-        readonly Func<int> keepPlaces;
-        readonly Action forgetPlaces;
-        FluidSpec spec;
-        SpeedReadback speeds;
-        AdaptiveClock adaptive;
-        SpeedReference reference;
-        SleepWatch sleep;
-        bool yields;
+        private readonly FluidSolver solver;
+        private readonly FluidStart start;
+        private readonly Func<int> keepPlaces;
+        private readonly Action forgetPlaces;
+        private FluidSpec spec;
+        private SpeedReadback speeds;
+        private AdaptiveClock adaptive;
+        private SpeedReference reference;
+        private SleepWatch sleep;
+        private bool yields;
 
         /// <summary>The pace of a solver with its first settings.</summary>
         /// <exception cref="FluidDeviceException">A shader is missing, or the device cannot run it.</exception>
@@ -63,7 +65,9 @@ namespace SphFluid
         /// <summary>Bytes of GPU memory that it takes at the start.</summary>
         public static long PlannedBytes(in FluidSpec spec) => MeasuresSpeeds(spec) ? SpeedReadback.PlannedBytes : 0L;
 
-        /// <summary>Takes over changed settings and gives the solver its constants. A clock that still fits goes on with the rest it holds.</summary>
+        /// <summary>
+        /// Takes over changed settings and gives the solver its constants. A clock that still fits goes on with the rest it holds.
+        /// </summary>
         /// <exception cref="ArgumentException">A constant is out of range.</exception>
         public void Update(in FluidSpec now)
         {
@@ -117,31 +121,32 @@ namespace SphFluid
             return 1;
         }
 
-        void Prepare(double deltaTime, double bodyMotion)
+        private void Prepare(double deltaTime, double bodyMotion)
         {
             if (speeds != null)
             {
                 solver.FlowSpeed = (float)(SpeedMargin * speeds.Sample.Bulk);
                 solver.PeakSpeed = (float)Math.Max(SpeedMargin * speeds.Sample.Fastest, deltaTime > 0.0 ? bodyMotion / deltaTime : 0.0);
             }
-            if (adaptive != null)
-            {
-                adaptive.StableStep = LongestStep();
-            }
+            if (adaptive != null) adaptive.StableStep = LongestStep();
         }
 
         // A collider that moves is known before it hits.
-        void UpdateSpeed(double deltaTime, double bodySpeed, ColliderLoads loads)
+        private void UpdateSpeed(double deltaTime, double bodySpeed, ColliderLoads loads)
         {
-            double head = Math.Min(speeds == null ? double.PositiveInfinity : Math.Max(speeds.Sample.Head, bodySpeed), reference?.Most ?? solver.Settings.MaxSpeed);
+            double head = Math.Min(speeds == null ? double.PositiveInfinity : Math.Max(speeds.Sample.Head, bodySpeed),
+                reference?.Most ?? solver.Settings.MaxSpeed);
             FluidRuleInput rules = spec.Profile.Rules;
             double load = loads.Load * Math.Max(1.0, 1.0 / (rules.SoundSpeedRatio * Math.Sqrt(2.0 * rules.MaxCompression)));
             double loaded = load > 0.0 ? Math.Sqrt(head * head + load * load) : 0.0;
             Driven = Math.Min(Math.Max(loads.Speed, loaded), FluidSpec.MostSpeed);
             if (reference == null || yields) return;
             double leap = Math.Sqrt(PressedByRule / Math.Max(Compression, LeastCompression));
-            if (reference.Update(Follows(spec) ? Math.Max(speeds.Sample.Head, bodySpeed) : reference.Most, deltaTime, Driven, Math.Min(loaded, Driven), leap))
+            if (reference.Update(Follows(spec) ? Math.Max(speeds.Sample.Head, bodySpeed) : reference.Most, deltaTime, Driven,
+                Math.Min(loaded, Driven), leap))
+            {
                 solver.ApplySettings(AtReference());
+            }
         }
 
         /// <summary>Records what the next frames go by, after a frame's steps and the neighbour setup.</summary>
@@ -160,7 +165,8 @@ namespace SphFluid
         public void Save(SaveWriter writer)
         {
             writer.Write((Clock as StepClock)?.Pending ?? 0.0);
-            (double target, double pending, double step) = adaptive?.Progress ?? ((Clock as FrameClock)?.LongestOfLate ?? 0.0, 0.0, (Clock as FrameClock)?.TimeStep ?? 0.0);
+            (double target, double pending, double step) = adaptive?.Progress ??
+                ((Clock as FrameClock)?.LongestOfLate ?? 0.0, 0.0, (Clock as FrameClock)?.TimeStep ?? 0.0);
             writer.Write(target);
             writer.Write(pending);
             writer.Write(step);
@@ -195,15 +201,17 @@ namespace SphFluid
         /// <inheritdoc/>
         public void Dispose() => speeds?.Dispose();
 
-        static bool MeasuresSpeeds(in FluidSpec spec) => Follows(spec) || spec.TimeStepMode == FluidTimeStepMode.Adaptive || spec.SleepsAtRest ||
+        private static bool MeasuresSpeeds(in FluidSpec spec) => Follows(spec) || spec.TimeStepMode == FluidTimeStepMode.Adaptive ||
+            spec.SleepsAtRest ||
             FluidMethods.Has(spec.Method, FluidMethodFeatures.KeptNeighbours | FluidMethodFeatures.StepsByFrame);
 
         // Such a method's steps follow the frame in either mode.
-        static bool StepsByFrame(in FluidSpec spec) => spec.TimeStepMode != FluidTimeStepMode.Fixed && FluidMethods.Has(spec.Method, FluidMethodFeatures.StepsByFrame);
+        private static bool StepsByFrame(in FluidSpec spec) => spec.TimeStepMode != FluidTimeStepMode.Fixed &&
+            FluidMethods.Has(spec.Method, FluidMethodFeatures.StepsByFrame);
 
-        bool IsAdaptive => !StepsByFrame(spec) && (reference != null || spec.TimeStepMode == FluidTimeStepMode.Adaptive);
+        private bool IsAdaptive => !StepsByFrame(spec) && (reference != null || spec.TimeStepMode == FluidTimeStepMode.Adaptive);
 
-        void TakeLimits(in FluidSpec now, in FluidSolverSettings rule)
+        private void TakeLimits(in FluidSpec now, in FluidSolverSettings rule)
         {
             spec = now;
             TakeReference(Hears(now), rule);
@@ -212,7 +220,7 @@ namespace SphFluid
             else DropSpeeds();
         }
 
-        void TakeClock()
+        private void TakeClock()
         {
             double step = solver.Settings.TimeStep;
             int most = spec.MaxSubstepsPerFrame;
@@ -233,14 +241,14 @@ namespace SphFluid
             }
         }
 
-        void TakeReference(bool follows, in FluidSolverSettings rule)
+        private void TakeReference(bool follows, in FluidSolverSettings rule)
         {
             if (!follows) reference = null;
             else if (reference == null) reference = new SpeedReference(rule.MaxSpeed);
             else reference.Limit(rule.MaxSpeed);
         }
 
-        void TakeSleep(in FluidSpec now, in FluidSolverSettings rule)
+        private void TakeSleep(in FluidSpec now, in FluidSolverSettings rule)
         {
             double depth = FluidConstants.DepthAtRest(now, start, start.Gravity);
             if (!now.SleepsAtRest) sleep = null;
@@ -248,28 +256,29 @@ namespace SphFluid
             else sleep.Configure(rule, depth);
         }
 
-        void DropSpeeds()
+        private void DropSpeeds()
         {
             speeds?.Dispose();
             speeds = null;
         }
 
-        static bool Follows(in FluidSpec spec) => spec.Profile.SoundSpeedMode == FluidSoundSpeedMode.FollowsLiquid &&
+        private static bool Follows(in FluidSpec spec) => spec.Profile.SoundSpeedMode == FluidSoundSpeedMode.FollowsLiquid &&
             spec.TimeStepMode != FluidTimeStepMode.Fixed && FluidMethods.Has(spec.Method, FluidMethodFeatures.FollowingSoundSpeed);
 
         // Without a speed that follows the liquid only colliders raise the constants.
-        static bool Hears(in FluidSpec spec) => Follows(spec) || StepsByFrame(spec);
+        private static bool Hears(in FluidSpec spec) => Follows(spec) || StepsByFrame(spec);
 
-        FluidSolverSettings AtReference() => Follows(spec)
+        private FluidSolverSettings AtReference() => Follows(spec)
             ? FluidConstants.Derive(spec, start, start.Gravity, reference.Speed)
-            : FluidConstants.Derive(spec, start, start.Gravity, double.NaN, Math.Sqrt(Math.Max(0.0, reference.Speed * reference.Speed - reference.Most * reference.Most)));
+            : FluidConstants.Derive(spec, start, start.Gravity, double.NaN,
+                Math.Sqrt(Math.Max(0.0, reference.Speed * reference.Speed - reference.Most * reference.Most)));
 
         // Liquid that starts at rest takes long steps until it falls.
-        float FirstSpeed() =>
+        private float FirstSpeed() =>
             spec.TimeStepMode == FluidTimeStepMode.Automatic && solver.StepCount == 0 ? start.InitialSpeed : solver.Settings.MaxSpeed;
 
         // Faster particles than the constants are made for shorten the steps where the mode asks for it.
-        double LongestStep()
+        private double LongestStep()
         {
             FluidSolverSettings settings = solver.Settings;
             double speed = SpeedMargin * speeds.Sample.Fastest;

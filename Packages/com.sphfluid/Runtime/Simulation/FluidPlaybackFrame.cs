@@ -7,14 +7,20 @@ namespace SphFluid
     public readonly struct FluidPlaybackFrame
     {
         /// <summary>A moment.</summary>
-        /// <param name="particles">The particles in its first elements, in simulation space and within the domain; read before the simulation's next frame.</param>
+        /// <param name="particles">The particles in its first elements, in simulation space and within the domain; read before the
+        /// simulation's next frame.</param>
         /// <param name="count">Number of particles, 0 or more.</param>
         /// <param name="time">Time of the liquid [s].</param>
         /// <param name="isJump">Whether they do not follow from what was shown before, so that whitewater and readings begin anew.</param>
-        /// <exception cref="ArgumentException">There are more particles than elements, fewer than none, or the time is not finite.</exception>
+        /// <exception cref="ArgumentException">There are more particles than elements, fewer than none, or the time is not
+        /// finite.</exception>
         public FluidPlaybackFrame(NativeArray<FluidParticle> particles, int count, double time, bool isJump)
         {
-            if (count < 0 || count > particles.Length) throw new ArgumentException($"The count is {count}. Give it a number from 0 to {particles.Length}, the length of the array.", nameof(count));
+            if (count < 0 || count > particles.Length)
+            {
+                throw new ArgumentException(
+                    $"The count is {count}. Give it a number from 0 to {particles.Length}, the length of the array.", nameof(count));
+            }
             Require.Within(time, double.MinValue, double.MaxValue, nameof(time));
             Particles = particles;
             Count = count;

@@ -43,22 +43,25 @@ namespace SphFluid
         /// <summary>Depth of the liquid at rest, were its volume spread over the domain [m]; 0 without gravity.</summary>
         public float Depth { get; }
 
-        /// <summary>GPU memory after the start [bytes], colliders included, as the running liquid reports it; 0 where <see cref="Lack"/> says why.</summary>
+        /// <summary>
+        /// GPU memory after the start [bytes], colliders included, as the running liquid reports it; 0 where <see cref="Lack"/> says why.
+        /// </summary>
         public long GpuBytes { get; }
 
         /// <summary>Why the device cannot hold the liquid; null where it can.</summary>
         public string Lack { get; }
 
-        static long BytesOf(in FluidSpec spec, FluidStart start, CollisionScene collision)
+        private static long BytesOf(in FluidSpec spec, FluidStart start, CollisionScene collision)
         {
             FluidMethod method = FluidMethods.Get(spec.Method);
             FluidSolverSettings settings = method.Prepare(start.Constants);
-            (long colliders, int bodies) = method.Has(FluidMethodFeatures.BodyContact) ? PlanBodies(settings, collision) : (collision.PlannedBytes, 0);
+            (long colliders, int bodies) = method.Has(FluidMethodFeatures.BodyContact) ? PlanBodies(settings, collision)
+                : (collision.PlannedBytes, 0);
             int slots = LoadedParticles.SlotsFor(method, (int)Math.Min(start.Count, int.MaxValue), spec.FixedSlots);
             return method.PlannedBytes(settings, slots, bodies > 0) + colliders + FluidPace.PlannedBytes(spec);
         }
 
-        static (long bytes, int bodies) PlanBodies(in FluidSolverSettings settings, CollisionScene collision)
+        private static (long bytes, int bodies) PlanBodies(in FluidSolverSettings settings, CollisionScene collision)
         {
             var bodies = new CollisionBodies(settings);
             try

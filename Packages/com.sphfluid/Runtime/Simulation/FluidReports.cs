@@ -46,7 +46,7 @@ namespace SphFluid
         }
 
         // Null when it can. Nothing would free the GPU memory of a run that OnDisable does not end.
-        static FluidMessage? NotPlaying(Behaviour simulation)
+        private static FluidMessage? NotPlaying(Behaviour simulation)
         {
             if (Application.isPlaying && simulation.isActiveAndEnabled) return null;
             return SceneObjects.IsPrefabAsset(simulation)
@@ -67,7 +67,8 @@ namespace SphFluid
         /// <summary>A liquid's time that goes backwards or has no end.</summary>
         public static FluidMessage TimeScaleInvalid(UnityEngine.Object simulation, float timeScale) => new FluidMessage(
             FluidSeverity.Error, FluidIssue.TimeScaleInvalid, simulation,
-            FormattableString.Invariant($"Time Scale is {timeScale}, so the liquid stands still."), "Set Time Scale to 0 or more; 1 is as fast as the scene.");
+            FormattableString.Invariant($"Time Scale is {timeScale}, so the liquid stands still."),
+            "Set Time Scale to 0 or more; 1 is as fast as the scene.");
 
         /// <summary>Rigid bodies that the liquid does not move.</summary>
         public static FluidMessage TooManyBodies(UnityEngine.Object simulation, int most) => new FluidMessage(
@@ -75,7 +76,10 @@ namespace SphFluid
             $"More than {most} Rigidbodies are in the domain, the most that the liquid moves: the others push it and feel nothing of it.",
             "Switch Moved By Liquid off in a Fluid Collider where the liquid need not move the body.");
 
-        /// <summary>What to report when a run failed: a check names the setting and the cure; the failure itself is reported where no check knows of it.</summary>
+        /// <summary>
+        /// What to report when a run failed: a check names the setting and the cure; the failure itself is reported where no check knows of
+        /// it.
+        /// </summary>
         public static IEnumerable<FluidMessage> ErrorsOf(IReadOnlyList<FluidMessage> check, FluidMessage failure)
         {
             IReadOnlyList<FluidMessage> found = FluidChecks.HasErrors(check) ? check : new[] { failure };

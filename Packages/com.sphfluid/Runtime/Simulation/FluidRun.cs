@@ -9,28 +9,29 @@ namespace SphFluid
     /// <summary>A started simulation: solver, clock, colliders and the one command buffer of a frame. Owns the GPU memory.</summary>
     internal sealed class FluidRun : IDisposable
     {
-        readonly FluidStart start;
-        readonly Action<FluidMessage> report;
-        readonly FluidObstacles obstacles;
-        readonly CommandBuffer commands;
-        readonly SubstepMonitor substeps = new SubstepMonitor();
-        readonly GuardMonitor guards = new GuardMonitor();
-        readonly ColliderLoads loads = new ColliderLoads();
-        readonly SoftnessWatch softness = new SoftnessWatch();
-        readonly FluidPace pace;
-        readonly FluidFlows flows;
-        readonly FluidZones zones;
-        readonly RigidbodyFloats floats;
-        FluidLiveKey live;
-        Vector3 position;
-        Quaternion rotation;
-        int knownChanges, knownParticles, knownSettings;
-        double restedTime, motionTime;
+        private readonly FluidStart start;
+        private readonly Action<FluidMessage> report;
+        private readonly FluidObstacles obstacles;
+        private readonly CommandBuffer commands;
+        private readonly SubstepMonitor substeps = new SubstepMonitor();
+        private readonly GuardMonitor guards = new GuardMonitor();
+        private readonly ColliderLoads loads = new ColliderLoads();
+        private readonly SoftnessWatch softness = new SoftnessWatch();
+        private readonly FluidPace pace;
+        private readonly FluidFlows flows;
+        private readonly FluidZones zones;
+        private readonly RigidbodyFloats floats;
+        private FluidLiveKey live;
+        private Vector3 position;
+        private Quaternion rotation;
+        private int knownChanges, knownParticles, knownSettings;
+        private double restedTime, motionTime;
 
         /// <summary>Starts; takes over <paramref name="collision"/>, which has been gathered.</summary>
         /// <exception cref="ArgumentException">A setting cannot be computed with.</exception>
         /// <exception cref="FluidDeviceException">The device cannot run the method.</exception>
-        public FluidRun(in FluidSpec spec, FluidStart start, IReadOnlyList<FluidParticle> particles, CollisionScene collision, Action<FluidMessage> report)
+        public FluidRun(in FluidSpec spec, FluidStart start, IReadOnlyList<FluidParticle> particles, CollisionScene collision,
+            Action<FluidMessage> report)
         {
             this.start = start;
             this.report = report;
@@ -46,7 +47,10 @@ namespace SphFluid
                 obstacles = new FluidObstacles(Solver.Settings, collision);
                 pace = new FluidPace(spec, start, Solver);
                 obstacles.Share();
-                if (obstacles.Bodies != null && spec.Playback == null) collision.Owners = floats = new RigidbodyFloats(Solver.Settings.SupportRadius);
+                if (obstacles.Bodies != null && spec.Playback == null)
+                {
+                    collision.Owners = floats = new RigidbodyFloats(Solver.Settings.SupportRadius);
+                }
                 FollowBodies(spec);
                 Solver.SetObstacles(obstacles);
                 Execute(0);
@@ -103,24 +107,33 @@ namespace SphFluid
         }
 
         // The particles are where they are shown to be: only walls and constants follow the scene.
-        void Show(in FluidSpec spec)
+        private void Show(in FluidSpec spec)
         {
             ApplyChanges(spec);
             GatherColliders(spec);
             Moved(spec);
             FollowBodies(spec);
             if (spec.Playback.TryTake(spec.DomainSize, Solver.Settings.PeriodLength, Solver.StepCount == 0, out FluidPlaybackFrame frame))
+            {
                 Solver.Show(frame.Particles, frame.Count, frame.Time, frame.IsJump);
+            }
             Know();
         }
 
-        /// <summary>Finds the neighbours of particles that are shown, if nobody who draws or measures has done so: where nobody does, a frame is an upload and no more.</summary>
+        /// <summary>
+        /// Finds the neighbours of particles that are shown, if nobody who draws or measures has done so: where nobody does, a frame is an
+        /// upload and no more.
+        /// </summary>
         public void Prepare() => Execute(0);
 
-        void Advance(in FluidSpec spec, float? frameTime)
+        private void Advance(in FluidSpec spec, float? frameTime)
         {
             float deltaTime = frameTime ?? 0f;
-            if (WasChanged() | ApplyChanges(spec) | GatherColliders(spec) | Moved(spec) | frameTime == null | flows.Acts(spec) | zones.Waits(spec) | zones.Update(spec, 0.0)) pace.Wake();
+            if (WasChanged() | ApplyChanges(spec) | GatherColliders(spec) | Moved(spec) | frameTime == null | flows.Acts(spec) |
+                zones.Waits(spec) | zones.Update(spec, 0.0))
+            {
+                pace.Wake();
+            }
             if (pace.IsAsleep)
             {
                 Rest(deltaTime);
@@ -145,19 +158,25 @@ namespace SphFluid
             Know();
             if (softness.Update(spec, start, pace, Solver.Settings, loads, deltaTime) is FluidMessage soft) report(soft);
             if (substeps.Update(pace.Clock, steps, deltaTime) is string text)
+            {
                 report(new FluidMessage(FluidSeverity.Warning, FluidIssue.SubstepCap, spec.Owner, text,
                     "Raise Max Substeps Per Frame, " + (spec.TimeStepMode == FluidTimeStepMode.Fixed ? "or Fixed Time Step." :
                     FluidMethods.Has(spec.Method, FluidMethodFeatures.StepsByFrame) ? "or lower the profile's Substeps."
                     : $"or use a larger Particle Spacing; {FluidRules.Advise(Solver.Settings, Solver.Settings.MaxSpeed).Cure}.")));
-            if (guards.Update(Solver.Counters, FluidMethods.Get(spec.Method).ShorterSteps, Solver.Squeezers, obstacles.Bodies) is string guard)
+            }
+            if (guards.Update(Solver.Counters, FluidMethods.Get(spec.Method).ShorterSteps, Solver.Squeezers, obstacles.Bodies)
+                is string guard)
+            {
                 report(new FluidMessage(FluidSeverity.Warning, FluidIssue.GuardActed, spec.Owner, guard, guards.Cure));
+            }
         }
 
         /// <summary>Whether there are Rigidbodies that the liquid moves.</summary>
         public bool MovesBodies => floats != null && floats.Count > 0;
 
         /// <summary>Before a step of the scene's physics.</summary>
-        public void FixedUpdate(Vector3 domainPosition, Quaternion domainRotation, float deltaTime) => floats?.FixedUpdate(domainPosition, domainRotation, deltaTime);
+        public void FixedUpdate(Vector3 domainPosition, Quaternion domainRotation, float deltaTime) =>
+            floats?.FixedUpdate(domainPosition, domainRotation, deltaTime);
 
         /// <summary>What pushes the liquid.</summary>
         public FluidZones Zones => zones;
@@ -187,7 +206,10 @@ namespace SphFluid
             return AddLiquid(spec, new LiquidBox("Added liquid", toLocal * unitToWorld, toLocal.MultiplyVector(velocity)));
         }
 
-        /// <summary>Writes all that the liquid goes on from, waiting for the GPU. It goes on as one does that is restored from it, so that both stay equal to the bit.</summary>
+        /// <summary>
+        /// Writes all that the liquid goes on from, waiting for the GPU. It goes on as one does that is restored from it, so that both stay
+        /// equal to the bit.
+        /// </summary>
         public void Save(in FluidSpec spec, Stream stream)
         {
             AsyncGPUReadback.WaitAllRequests();
@@ -249,7 +271,7 @@ namespace SphFluid
             commands.Dispose();
         }
 
-        bool ApplyChanges(in FluidSpec spec)
+        private bool ApplyChanges(in FluidSpec spec)
         {
             FluidLiveKey now = FluidLiveKey.Create(spec);
             if (now.Equals(live)) return false;
@@ -258,7 +280,7 @@ namespace SphFluid
             return true;
         }
 
-        bool GatherColliders(in FluidSpec spec)
+        private bool GatherColliders(in FluidSpec spec)
         {
             if (!Collision.Gather(spec.Query())) return false;
             obstacles.Share();
@@ -266,7 +288,7 @@ namespace SphFluid
             return true;
         }
 
-        bool Moved(in FluidSpec spec)
+        private bool Moved(in FluidSpec spec)
         {
             bool same = position.Equals(spec.Position) && rotation.Equals(spec.Rotation);
             (position, rotation) = (spec.Position, spec.Rotation);
@@ -274,7 +296,7 @@ namespace SphFluid
         }
 
         // By a script that has the solver.
-        bool WasChanged()
+        private bool WasChanged()
         {
             if (Solver.ParticleChanges != knownParticles)
             {
@@ -286,20 +308,20 @@ namespace SphFluid
             return Solver.Changes != knownChanges;
         }
 
-        void Know()
+        private void Know()
         {
             knownChanges = Solver.Changes;
             knownSettings = Solver.SettingsChanges;
         }
 
-        void Rest(double deltaTime)
+        private void Rest(double deltaTime)
         {
             restedTime += deltaTime;
             substeps.Rest(deltaTime);
             Know();
         }
 
-        void FollowBodies(in FluidSpec spec)
+        private void FollowBodies(in FluidSpec spec)
         {
             foreach (BodyJump jump in obstacles.TrackMotion()) report(jump.Message);
             if (obstacles.Bodies == null) return;
@@ -307,7 +329,7 @@ namespace SphFluid
             if (obstacles.Bodies.Floating.LeftOut > 0) report(FluidReports.TooManyBodies(spec.Owner, FloatingBodies.Most));
         }
 
-        void Execute(int steps)
+        private void Execute(int steps)
         {
             commands.Clear();
             Timer?.Begin(commands, steps, Solver.LiveCount);

@@ -7,8 +7,8 @@ namespace SphFluid
         FixedByRule = 0,
 
         /// <summary>
-        /// By the same rule from where the liquid is: lower once it has come down and is calm, which saves steps, and back in time when it is
-        /// lifted or stirred; never above the rule of the start. Not with a fixed time step.
+        /// By the same rule from where the liquid is: lower once it has come down and is calm, which saves steps, and back in time when it
+        /// is lifted or stirred; never above the rule of the start. Not with a fixed time step.
         /// </summary>
         FollowsLiquid = 1,
     }

@@ -13,7 +13,9 @@ namespace SphFluid
         /// <summary>Fastest that a liquid can be made ready for [m/s].</summary>
         public const float MostSpeed = 1000f;
 
-        /// <summary>The component: the context of messages, and what is in the scene that is searched. Nothing else is read from it.</summary>
+        /// <summary>
+        /// The component: the context of messages, and what is in the scene that is searched. Nothing else is read from it.
+        /// </summary>
         public Component Owner;
 
         /// <summary>World position of the domain's centre [m].</summary>
@@ -121,9 +123,10 @@ namespace SphFluid
         /// <summary>Support radius [m].</summary>
         public readonly float SupportRadius => SupportRatio * Spacing;
 
-        readonly float SupportRatio => HasProfile ? Profile.Rules.SupportRatio : FluidRuleInput.Water.SupportRatio;
+        private readonly float SupportRatio => HasProfile ? Profile.Rules.SupportRatio : FluidRuleInput.Water.SupportRatio;
 
-        [OutlivesPlay("it is filled anew, and used at once, by whoever asks")] static readonly List<ColliderState> Pipes = new List<ColliderState>();
+        [OutlivesPlay("it is filled anew, and used at once, by whoever asks")]
+        private static readonly List<ColliderState> Pipes = new List<ColliderState>();
 
         /// <summary>Where to look for colliders; for an owner that is in a scene.</summary>
         public readonly CollisionQuery Query() => new CollisionQuery

@@ -6,19 +6,19 @@ namespace SphFluid
     /// <summary>Settings that only a new start can change; a running simulation whose key differs starts again.</summary>
     internal readonly struct FluidStartKey : IEquatable<FluidStartKey>
     {
-        readonly UnityEngine.Object profile;
-        readonly FluidShaderSet shaders;
-        readonly FluidMethodKind method;
-        readonly Vector3 domainSize, scale;
-        readonly float spacing, supportRatio, jitter;
-        readonly int seed, maxParticles;
-        readonly bool octantSearch;
-        readonly FluidAxes periodic;
-        readonly FluidStartRelaxation relaxation;
-        readonly Func<Vector3, Vector3> velocityField;
-        readonly IFluidPlayback playback;
+        private readonly UnityEngine.Object profile;
+        private readonly FluidShaderSet shaders;
+        private readonly FluidMethodKind method;
+        private readonly Vector3 domainSize, scale;
+        private readonly float spacing, supportRatio, jitter;
+        private readonly int seed, maxParticles;
+        private readonly bool octantSearch;
+        private readonly FluidAxes periodic;
+        private readonly FluidStartRelaxation relaxation;
+        private readonly Func<Vector3, Vector3> velocityField;
+        private readonly IFluidPlayback playback;
 
-        FluidStartKey(in FluidSpec spec)
+        private FluidStartKey(in FluidSpec spec)
         {
             profile = spec.Profile.Asset;
             shaders = spec.Profile.Shaders;
@@ -45,7 +45,8 @@ namespace SphFluid
             AffineMath.Same(domainSize, other.domainSize) && (scale - other.scale).sqrMagnitude < 1e-9f && spacing.Equals(other.spacing) &&
             supportRatio.Equals(other.supportRatio) && jitter.Equals(other.jitter) && seed == other.seed &&
             maxParticles == other.maxParticles && octantSearch == other.octantSearch &&
-            periodic == other.periodic && relaxation == other.relaxation && velocityField == other.velocityField && ReferenceEquals(playback, other.playback);
+            periodic == other.periodic && relaxation == other.relaxation && velocityField == other.velocityField &&
+            ReferenceEquals(playback, other.playback);
 
         public override bool Equals(object obj) => obj is FluidStartKey other && Equals(other);
 
@@ -55,17 +56,17 @@ namespace SphFluid
     /// <summary>Settings that take effect between two steps of a running simulation.</summary>
     internal readonly struct FluidLiveKey : IEquatable<FluidLiveKey>
     {
-        readonly Vector3 gravity;
-        readonly FluidTimeStepMode mode;
-        readonly bool sleeps;
-        readonly float fixedTimeStep, expectedSpeed;
-        readonly float maxCompression, soundSpeedRatio;
-        readonly int maxSubsteps, revision, substeps;
-        readonly AutomaticSpec automatic;
-        readonly FluidBoundaries boundaries;
-        readonly FluidBodyForce bodyForce;
+        private readonly Vector3 gravity;
+        private readonly FluidTimeStepMode mode;
+        private readonly bool sleeps;
+        private readonly float fixedTimeStep, expectedSpeed;
+        private readonly float maxCompression, soundSpeedRatio;
+        private readonly int maxSubsteps, revision, substeps;
+        private readonly AutomaticSpec automatic;
+        private readonly FluidBoundaries boundaries;
+        private readonly FluidBodyForce bodyForce;
 
-        FluidLiveKey(in FluidSpec spec, Vector3 gravity)
+        private FluidLiveKey(in FluidSpec spec, Vector3 gravity)
         {
             this.gravity = gravity;
             mode = spec.TimeStepMode;
@@ -89,9 +90,11 @@ namespace SphFluid
         public static FluidLiveKey AsGiven(in FluidSpec spec) => new FluidLiveKey(spec, spec.Gravity);
 
         public bool Equals(FluidLiveKey other) =>
-            AffineMath.Same(gravity, other.gravity) && mode == other.mode && sleeps == other.sleeps && fixedTimeStep.Equals(other.fixedTimeStep) &&
+            AffineMath.Same(gravity, other.gravity) && mode == other.mode && sleeps == other.sleeps &&
+                fixedTimeStep.Equals(other.fixedTimeStep) &&
             expectedSpeed.Equals(other.expectedSpeed) && maxSubsteps == other.maxSubsteps && revision == other.revision &&
-            maxCompression.Equals(other.maxCompression) && soundSpeedRatio.Equals(other.soundSpeedRatio) && substeps == other.substeps && automatic.Equals(other.automatic) &&
+            maxCompression.Equals(other.maxCompression) && soundSpeedRatio.Equals(other.soundSpeedRatio) && substeps == other.substeps &&
+            automatic.Equals(other.automatic) &&
             boundaries.Equals(other.boundaries) && bodyForce.Equals(other.bodyForce);
 
         public override bool Equals(object obj) => obj is FluidLiveKey other && Equals(other);

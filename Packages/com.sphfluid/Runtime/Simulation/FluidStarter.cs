@@ -12,7 +12,8 @@ namespace SphFluid
         /// <param name="watch">Watches a start that takes long.</param>
         /// <param name="report">Receives what is wrong or worth knowing.</param>
         /// <returns>Null when an error was reported.</returns>
-        public static FluidRun TryStart(in FluidSpec asked, IReadOnlyList<VolumeSpec> volumes, in StartWatch watch, Action<FluidMessage> report)
+        public static FluidRun TryStart(in FluidSpec asked, IReadOnlyList<VolumeSpec> volumes, in StartWatch watch,
+            Action<FluidMessage> report)
         {
             var collision = new CollisionScene();
             List<FluidMessage> found = FluidChecks.Check(asked, volumes, collision, FluidSpawner.Fill, out FluidStart start, true);

@@ -6,11 +6,11 @@ namespace SphFluid
     /// <summary>What the graphics device can do for the fluid, with a reason for each thing it cannot.</summary>
     public readonly struct FluidSupport
     {
-        const string OtherDevice = "Use another graphics device or API.";
+        private const string OtherDevice = "Use another graphics device or API.";
 
-        readonly DeviceCapabilities device;
+        private readonly DeviceCapabilities device;
 
-        FluidSupport(in DeviceCapabilities device)
+        private FluidSupport(in DeviceCapabilities device)
         {
             this.device = device;
             Messages = null;
@@ -26,7 +26,9 @@ namespace SphFluid
         /// <summary>Whether a liquid can be drawn as a surface, by a Fluid Surface Renderer or a Fluid Surface Mesh.</summary>
         public bool Surface => Runs(ShaderGroup.Surface) && Runs(ShaderGroup.Drawing);
 
-        /// <summary>Whether the force of a liquid on its walls can be summed, by Fluid Probes and <see cref="SphFluid.WallForces"/>.</summary>
+        /// <summary>
+        /// Whether the force of a liquid on its walls can be summed, by Fluid Probes and <see cref="SphFluid.WallForces"/>.
+        /// </summary>
         public bool WallForces => Runs(ShaderGroup.WallForces);
 
         /// <summary>Whether a program on the CPU is the graphics device (llvmpipe, SwiftShader, WARP): liquids are small there.</summary>
@@ -57,9 +59,9 @@ namespace SphFluid
             return messages;
         }
 
-        string NoComputeShaders => $"{device.Name} has no compute shaders, which the liquid is computed with.";
+        private string NoComputeShaders => $"{device.Name} has no compute shaders, which the liquid is computed with.";
 
-        static string ComputeCure => "Use Direct3D 11 or 12, Vulkan or Metal.";
+        private static string ComputeCure => "Use Direct3D 11 or 12, Vulkan or Metal.";
 
         /// <summary>Whether the device runs the shaders of a group.</summary>
         internal bool Runs(ShaderGroup needs)
@@ -69,11 +71,11 @@ namespace SphFluid
             return true;
         }
 
-        string CureFor(ShaderGroup needs) =>
+        private string CureFor(ShaderGroup needs) =>
             Other(needs) is FluidMethod other ? $"Set the simulation's Method to {other.Kind}, which runs here." : OtherDevice;
 
         // A method that runs here and has other shaders.
-        FluidMethod Other(ShaderGroup needs)
+        private FluidMethod Other(ShaderGroup needs)
         {
             foreach (FluidMethod method in FluidMethods.All)
             {
@@ -83,7 +85,7 @@ namespace SphFluid
             return null;
         }
 
-        List<FluidMessage> AllMessages()
+        private List<FluidMessage> AllMessages()
         {
             var messages = new List<FluidMessage>();
             if (!device.ComputeShaders)
@@ -95,22 +97,28 @@ namespace SphFluid
                 AddShortfalls(messages, FluidSeverity.Info, ShaderGroup.Surface, "Draw the liquid with a Fluid Particle Renderer.");
                 AddShortfalls(messages, FluidSeverity.Info, ShaderGroup.Drawing, OtherDevice);
                 foreach (ShaderGroup surface in FluidMethods.SurfaceGroups)
+                {
                     AddShortfalls(messages, FluidSeverity.Info, surface, "Draw the liquid with a Fluid Surface Renderer.");
+                }
                 AddShortfalls(messages, FluidSeverity.Info, ShaderGroup.Diagnostics, "Leave out the Fluid Diagnostics.");
-                AddShortfalls(messages, FluidSeverity.Info, ShaderGroup.WallForces, "Set Kind of Fluid Probes to Liquid Pressure, which is noisy.");
+                AddShortfalls(messages, FluidSeverity.Info, ShaderGroup.WallForces,
+                    "Set Kind of Fluid Probes to Liquid Pressure, which is noisy.");
                 AddShortfalls(messages, FluidSeverity.Info, ShaderGroup.Whitewater, "Leave out the Fluid Whitewater.");
             }
             if (!device.AsyncReadback)
-                Add(messages, FluidSeverity.Info, $"{device.Name} has no asynchronous readback, so the simulation's event counters are not shown.", "");
+            {
+                Add(messages, FluidSeverity.Info,
+                    $"{device.Name} has no asynchronous readback, so the simulation's event counters are not shown.", "");
+            }
             return messages;
         }
 
-        void AddShortfalls(List<FluidMessage> messages, FluidSeverity severity, ShaderGroup needs, string cure)
+        private void AddShortfalls(List<FluidMessage> messages, FluidSeverity severity, ShaderGroup needs, string cure)
         {
             foreach (string shortfall in needs.Shortfalls(device)) Add(messages, severity, shortfall, cure);
         }
 
-        static void Add(List<FluidMessage> messages, FluidSeverity severity, string text, string cure) =>
+        private static void Add(List<FluidMessage> messages, FluidSeverity severity, string text, string cure) =>
             messages.Add(new FluidMessage(severity, FluidIssue.DeviceUnsupported, null, text, cure));
     }
 }

@@ -8,24 +8,24 @@ namespace SphFluid
     internal sealed class FluidZones : IDisposable
     {
         // Over the speed of sound: more in one step makes sound that is louder than the flow.
-        const double MostInAStep = 0.1;
+        private const double MostInAStep = 0.1;
 
         // Over the speed of sound: the most that a burst or an impulse may give.
-        const double MostBurst = 0.2;
+        private const double MostBurst = 0.2;
 
         // Over the speed that the speed of sound is made for: this much faster, liquid is compressed by half as much again.
-        const double MostFast = 1.25;
+        private const double MostFast = 1.25;
 
-        readonly FluidSolver solver;
-        readonly FluidStart start;
-        readonly Action<FluidMessage> report;
-        readonly List<ForceZone> now = new List<ForceZone>();
-        readonly List<ZoneState> bursts = new List<ZoneState>();
-        readonly List<ZonePush> pushes = new List<ZonePush>();
-        readonly List<(Vector3 place, float reach, float speed)> blows = new List<(Vector3, float, float)>();
-        ForceZones zones;
-        double expected, fall, fallWith = double.NaN;
-        bool reportedSum;
+        private readonly FluidSolver solver;
+        private readonly FluidStart start;
+        private readonly Action<FluidMessage> report;
+        private readonly List<ForceZone> now = new List<ForceZone>();
+        private readonly List<ZoneState> bursts = new List<ZoneState>();
+        private readonly List<ZonePush> pushes = new List<ZonePush>();
+        private readonly List<(Vector3 place, float reach, float speed)> blows = new List<(Vector3, float, float)>();
+        private ForceZones zones;
+        private double expected, fall, fallWith = double.NaN;
+        private bool reportedSum;
 
         public FluidZones(FluidSolver solver, FluidStart start, Action<FluidMessage> report)
         {
@@ -43,7 +43,11 @@ namespace SphFluid
         {
             RequireGentle("An impulse", push.Speed, liquid, solver, argument);
             if (pushes.Count == ForceZone.Most)
-                throw new ArgumentException($"{ForceZone.Most} impulses wait for the next steps, as many as act on a liquid at a time. Give the others in the next frame.");
+            {
+                throw new ArgumentException(
+                    $"{ForceZone.Most} impulses wait for the next steps, as many as act on a liquid at a time. Give the others in the " +
+                    "next frame.");
+            }
             pushes.Add(push);
         }
 
@@ -58,7 +62,11 @@ namespace SphFluid
         {
             double most = MostBurst * solver.Settings.SoundSpeed;
             if (!(speed <= most))
-                throw new ArgumentException(FormattableString.Invariant($"{what} of {speed:0.##} m/s tears the liquid of '{liquid}' apart; {most:0.##} m/s are the most. Raise its Expected Speed."), argument);
+            {
+                throw new ArgumentException(
+                    FormattableString.Invariant($"{what} of {speed:0.##} m/s tears the liquid of '{liquid}' apart; {most:0.##} m/s are ") +
+                    "the most. Raise its Expected Speed.", argument);
+            }
         }
 
         /// <summary>Whether a burst or an impulse waits for the next steps.</summary>
@@ -140,14 +148,16 @@ namespace SphFluid
         {
             if (!(spec.Zones?.Count > 0)) return;
             if (FluidMethods.Has(spec.Method) && !FluidMethods.Has(spec.Method, FluidMethodFeatures.ForceZones))
+            {
                 messages.Add(new FluidMessage(FluidSeverity.Warning, FluidIssue.ForceZoneInvalid, spec.Owner,
                     $"The method {spec.Method} has no force zones: those of the scene do nothing to it.", "Set Method to Standard."));
+            }
             for (int i = 0; i < spec.Zones.Count; i++)
                 if (Check(spec.Zones[i], spec) is FluidMessage wrong) messages.Add(wrong);
         }
 
         // Bursts and impulses act for one frame. Where some may act on the same liquid, their sum is held to what one alone may give.
-        void AddBlows(in FluidSpec spec, in Matrix4x4 worldToLocal, float time)
+        private void AddBlows(in FluidSpec spec, in Matrix4x4 worldToLocal, float time)
         {
             blows.Clear();
             for (int i = 0; i < (spec.Zones?.Count ?? 0); i++)
@@ -169,17 +179,19 @@ namespace SphFluid
             pushes.Clear();
         }
 
-        static bool HasPumps(in FluidSpec spec)
+        private static bool HasPumps(in FluidSpec spec)
         {
             for (int i = 0; i < (spec.Emitters?.Count ?? 0); i++)
                 if (spec.Emitters[i].UnderWater) return true;
             return false;
         }
 
-        static bool HasBurst(in ZoneSpec zone) => zone.State.Burst != Vector3.zero && zone.Shape != FluidZoneShape.Collider && zone.Fault == null;
+        private static bool HasBurst(in ZoneSpec zone) => zone.State.Burst != Vector3.zero && zone.Shape != FluidZoneShape.Collider &&
+            zone.Fault == null;
 
-        // What is left of a blow, so that no sum is too large: wherever some act, each has at most its part of the most that any of them takes part in.
-        float Share(in FluidSpec spec, int blow)
+        // What is left of a blow, so that no sum is too large: wherever some act, each has at most its part of the most that any of them
+        // takes part in.
+        private float Share(in FluidSpec spec, int blow)
         {
             double most = MostBurst * solver.Settings.SoundSpeed, largest = 0.0;
             for (int i = 0; i < blows.Count; i++)
@@ -191,28 +203,33 @@ namespace SphFluid
             }
             if (largest <= most * (1.0 + 1e-6)) return 1f;
             if (!reportedSum)
+            {
                 report(new FluidMessage(FluidSeverity.Warning, FluidIssue.ForceZoneInvalid, spec.Owner,
-                    FormattableString.Invariant($"Impulses and bursts that reach the same liquid in one frame add up to {largest:0.##} m/s; more than {most:0.##} m/s tears it apart, so they are weakened to that."),
+                    FormattableString.Invariant($"Impulses and bursts that reach the same liquid in one frame add up to {largest:0.##} ") +
+                    FormattableString.Invariant($"m/s; more than {most:0.##} m/s tears it apart, so they are weakened to that."),
                     "Give some in the next frame, or raise the simulation's Expected Speed."));
+            }
             reportedSum = true;
             return (float)(most / largest);
         }
 
-        bool Overlap(int a, int b) => a == b || (blows[a].place - blows[b].place).magnitude < blows[a].reach + blows[b].reach;
+        private bool Overlap(int a, int b) => a == b || (blows[a].place - blows[b].place).magnitude < blows[a].reach + blows[b].reach;
 
-        void ReportFast(in ZoneSpec zone, in FluidSpec spec)
+        private void ReportFast(in ZoneSpec zone, in FluidSpec spec)
         {
             expected = Math.Max(expected, solver.Settings.MaxSpeed); // it follows the liquid in some modes
             double speed = zone.SpeedFrom(Fall(spec), spec.DomainSize, spec.Rotation);
             if (zone.State.FastIn == this || !(speed > MostFast * expected)) return;
             zone.State.FastIn = this;
             report(new FluidMessage(FluidSeverity.Warning, FluidIssue.ForceZoneInvalid, zone.Owner,
-                FormattableString.Invariant($"The force zone can bring the liquid of '{spec.Name}' to {speed:0.##} m/s, and its time step and speed of sound are made for {expected:0.##} m/s: it is compressed more than it should be."),
+                FormattableString.Invariant($"The force zone can bring the liquid of '{spec.Name}' to {speed:0.##} m/s, and its time ") +
+                FormattableString.Invariant($"step and speed of sound are made for {expected:0.##} m/s: it is compressed more than it ") +
+                "should be.",
                 FluidConstants.ExpectedSpeedCure(spec, start, speed) + ", or give the zone less strength or size."));
         }
 
         // What the liquid comes into a zone with, whatever speed is expected.
-        double Fall(FluidSpec spec)
+        private double Fall(FluidSpec spec)
         {
             if (fallWith == spec.ExpectedSpeed) return fall;
             fallWith = spec.ExpectedSpeed;
@@ -220,38 +237,48 @@ namespace SphFluid
             return fall = FluidConstants.Derive(spec, start, start.Gravity).MaxSpeed;
         }
 
-        void Add(Component owner, in FluidSpec spec, in ForceZone made)
+        private void Add(Component owner, in FluidSpec spec, in ForceZone made)
         {
             if (now.Count < ForceZone.Most) now.Add(made);
             else
                 report(new FluidMessage(FluidSeverity.Warning, FluidIssue.ForceZoneInvalid, owner,
-                    $"'{spec.Name}' has {ForceZone.Most} force zones and bursts, as many as act on a liquid at a time; this one does nothing.", "Disable some."));
+                    $"'{spec.Name}' has {ForceZone.Most} force zones and bursts, as many as act on a liquid at a time; this one does " +
+                    "nothing.", "Disable some."));
         }
 
-        static FluidMessage? Check(in ZoneSpec zone, in FluidSpec spec)
+        private static FluidMessage? Check(in ZoneSpec zone, in FluidSpec spec)
         {
             if (zone.Shape == FluidZoneShape.Collider)
-                return Wrong(zone, FluidSeverity.Error, "The force zone's shape is its object's collider, and the object has no Box, Sphere or Capsule Collider: the zone does nothing.",
+            {
+                return Wrong(zone, FluidSeverity.Error,
+                    "The force zone's shape is its object's collider, and the object has no Box, Sphere or Capsule Collider: the zone " +
+                    "does nothing.",
                     "Add one of these, as a trigger, or choose another Shape. Put several zones together for the shape of a mesh.");
+            }
             if (zone.Fault is string fault)
-                return Wrong(zone, FluidSeverity.Error, $"The force zone's {fault} is no number that can be computed with, so the zone does nothing.",
+            {
+                return Wrong(zone, FluidSeverity.Error,
+                    $"The force zone's {fault} is no number that can be computed with, so the zone does nothing.",
                     "Give its fields finite numbers: sizes greater than zero, rates and times of zero or more.");
+            }
             return null;
         }
 
         // As the speed of sound grows steps by rule shorten in proportion; and the zone brings the liquid to a speed of its own.
-        FluidMessage? Torn(in ZoneSpec zone, in FluidSpec spec)
+        private FluidMessage? Torn(in ZoneSpec zone, in FluidSpec spec)
         {
             FluidSolverSettings settings = solver.Settings;
             double largest = MostInAStep * settings.SoundSpeed / settings.TimeStep, more = Math.Abs(zone.Strength) / largest;
             if (zone.IsDrag || !(more > 1.0)) return null;
-            double needed = 1.02 * Math.Max(settings.MaxSpeed * Math.Sqrt(more), zone.SpeedFrom(Fall(spec), spec.DomainSize, spec.Rotation));
+            double needed =
+                1.02 * Math.Max(settings.MaxSpeed * Math.Sqrt(more), zone.SpeedFrom(Fall(spec), spec.DomainSize, spec.Rotation));
             return Wrong(zone, FluidSeverity.Error,
-                    FormattableString.Invariant($"The force zone's strength is {zone.Strength} m/s²; more than {largest:0.#} m/s² tears the liquid of '{spec.Name}' apart within a step."),
+                    FormattableString.Invariant($"The force zone's strength is {zone.Strength} m/s²; more than {largest:0.#} m/s² tears ") +
+                    FormattableString.Invariant($"the liquid of '{spec.Name}' apart within a step."),
                     FluidConstants.ExpectedSpeedCure(spec, start, needed) + ", or use less strength.");
         }
 
-        static FluidMessage Wrong(in ZoneSpec zone, FluidSeverity severity, string text, string cure) =>
+        private static FluidMessage Wrong(in ZoneSpec zone, FluidSeverity severity, string text, string cure) =>
             new FluidMessage(severity, FluidIssue.ForceZoneInvalid, zone.Owner, text, cure);
     }
 }

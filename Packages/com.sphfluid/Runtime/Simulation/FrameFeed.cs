@@ -6,8 +6,8 @@ namespace SphFluid
     /// <summary>What a liquid is given in each frame: the scene's time, steps one by one, or what a recording has.</summary>
     internal sealed class FrameFeed
     {
-        IFluidFrames watcher;
-        int singleSteps;
+        private IFluidFrames watcher;
+        private int singleSteps;
 
         /// <summary>Lets a recording or a replay see what the liquid is given.</summary>
         /// <param name="watcher">The recording or the replay.</param>
@@ -15,7 +15,10 @@ namespace SphFluid
         /// <exception cref="InvalidOperationException">Another does already.</exception>
         public void Attach(IFluidFrames watcher, string name)
         {
-            if (this.watcher != null) throw new InvalidOperationException($"'{name}' is recorded or replayed already. Dispose of that one first.");
+            if (this.watcher != null)
+            {
+                throw new InvalidOperationException($"'{name}' is recorded or replayed already. Dispose of that one first.");
+            }
             this.watcher = watcher;
         }
 
@@ -39,9 +42,11 @@ namespace SphFluid
         /// <param name="report">Receives that the time scale cannot be used.</param>
         /// <param name="failure">What went wrong.</param>
         /// <returns>False when it cannot go on.</returns>
-        public bool TryAdvance(FluidRun run, in FluidSpec spec, bool isPaused, float timeScale, Action<FluidMessage> report, out FluidMessage failure)
+        public bool TryAdvance(FluidRun run, in FluidSpec spec, bool isPaused, float timeScale, Action<FluidMessage> report,
+            out FluidMessage failure)
         {
-            FluidFrame frame = isPaused ? new FluidFrame { SingleSteps = singleSteps } : new FluidFrame { Time = SceneTime(spec, timeScale, report) };
+            FluidFrame frame = isPaused ? new FluidFrame { SingleSteps = singleSteps }
+                : new FluidFrame { Time = SceneTime(spec, timeScale, report) };
             Forget();
             if (watcher != null) frame = watcher.Take(frame);
             if (frame.SingleSteps == 0) return run.TryAdvance(spec, (float)frame.Time, out failure);
@@ -51,7 +56,7 @@ namespace SphFluid
             return true;
         }
 
-        static float SceneTime(in FluidSpec spec, float timeScale, Action<FluidMessage> report)
+        private static float SceneTime(in FluidSpec spec, float timeScale, Action<FluidMessage> report)
         {
             if (timeScale >= 0f && !float.IsInfinity(timeScale)) return Time.deltaTime * timeScale;
             report(FluidReports.TimeScaleInvalid(spec.Owner, timeScale));

@@ -8,7 +8,7 @@ namespace SphFluid
     internal static class LiquidChecks
     {
         /// <summary>Share of a volume outside the domain below which nothing is said.</summary>
-        const double OutsideTolerance = 0.001;
+        private const double OutsideTolerance = 0.001;
 
         /// <summary>The shapes of the volumes that can be filled, among the colliders gathered in <paramref name="collision"/>.</summary>
         public static List<(VolumeSpec volume, LiquidShape shape)> Shapes(
@@ -18,8 +18,10 @@ namespace SphFluid
             foreach (VolumeSpec volume in volumes)
                 if (VolumeChecks.Check(volume, spec, collision, messages) is LiquidShape shape) shapes.Add((volume, shape));
             if (volumes.Count == 0 && IsDry(spec))
+            {
                 messages.Add(new FluidMessage(FluidSeverity.Error, FluidIssue.NoLiquid, spec.Owner, "The domain holds no liquid.",
                     "Add a Fluid Volume or a Fluid Emitter, for instance as a child: GameObject > Fluid > Volume."));
+            }
             return shapes;
         }
 
@@ -33,10 +35,15 @@ namespace SphFluid
         {
             for (int i = 0; i < shapes.Count; i++)
                 if (!(shapes[i].shape is LiquidVessel vessel) || VolumeChecks.CheckVessel(shapes[i].volume, vessel, spec, messages))
+                {
                     CheckTally(spec, shapes[i].volume, spawn.Tallies[i], collision, messages);
+                }
             if (!AffineMath.IsFinite(spawn.Fastest))
+            {
                 messages.Add(new FluidMessage(FluidSeverity.Error, FluidIssue.StartFailed, spec.Owner,
-                    "The velocity field gives a velocity that is not a finite number.", "Give VelocityField a function with finite numbers everywhere in the liquid."));
+                    "The velocity field gives a velocity that is not a finite number.",
+                    "Give VelocityField a function with finite numbers everywhere in the liquid."));
+            }
         }
 
         /// <summary>Most particles that a simulation may have.</summary>
@@ -52,9 +59,10 @@ namespace SphFluid
         }
 
         /// <summary>Most particles that a simulation may have.</summary>
-        internal static long MostParticles(in FluidSpec spec) => Math.Min(spec.HasProfile ? spec.Profile.MaxParticles : int.MaxValue, DeviceLimit);
+        internal static long MostParticles(in FluidSpec spec) =>
+            Math.Min(spec.HasProfile ? spec.Profile.MaxParticles : int.MaxValue, DeviceLimit);
 
-        static long DeviceLimit => SystemInfo.maxGraphicsBufferSize / FluidParticle.Stride;
+        private static long DeviceLimit => SystemInfo.maxGraphicsBufferSize / FluidParticle.Stride;
 
         /// <summary>Checks that a simulation may have the particles that were filled or counted.</summary>
         /// <returns>False when they are too many to go on with.</returns>
@@ -70,7 +78,8 @@ namespace SphFluid
             return false;
         }
 
-        static void CheckTally(in FluidSpec spec, in VolumeSpec volume, in SpawnTally tally, CollisionScene collision, List<FluidMessage> messages)
+        private static void CheckTally(in FluidSpec spec, in VolumeSpec volume, in SpawnTally tally, CollisionScene collision,
+            List<FluidMessage> messages)
         {
             if (tally.OutsideShare >= 1.0)
             {
@@ -80,20 +89,27 @@ namespace SphFluid
                 return;
             }
             if (tally.OutsideShare > OutsideTolerance)
+            {
                 Add(messages, FluidSeverity.Warning, FluidIssue.VolumeOutsideDomain, volume,
-                    FormattableString.Invariant($"{100.0 * tally.OutsideShare:0.#} % of the liquid volume lies outside the domain of '{spec.Name}' and is left out."),
+                    FormattableString.Invariant($"{100.0 * tally.OutsideShare:0.#} % of the liquid volume lies outside the domain of ") +
+                    FormattableString.Invariant($"'{spec.Name}' and is left out."),
                     "Move or shrink the volume, or enlarge the simulation's Domain Size.");
+            }
             if (tally.Carved > 0) ReportCarved(volume, tally, collision, messages);
             if (tally.Shared > 0)
+            {
                 Add(messages, FluidSeverity.Info, FluidIssue.VolumesOverlap, volume,
                     $"{tally.Shared} particles' worth of the liquid volume overlaps an earlier one and is filled once.", "");
+            }
             if (tally.Filled + tally.Carved + tally.Shared == 0)
+            {
                 Add(messages, FluidSeverity.Error, FluidIssue.VolumeSizeInvalid, volume,
                     FormattableString.Invariant($"The liquid volume is too small to hold a particle at a spacing of {spec.Spacing} m."),
                     "Enlarge the volume or use a smaller Particle Spacing.");
+            }
         }
 
-        static void ReportCarved(in VolumeSpec volume, in SpawnTally tally, CollisionScene collision, List<FluidMessage> messages)
+        private static void ReportCarved(in VolumeSpec volume, in SpawnTally tally, CollisionScene collision, List<FluidMessage> messages)
         {
             string collider = collision.NameOf(tally.LastObstacle);
             if (tally.Filled == 0)
@@ -102,11 +118,14 @@ namespace SphFluid
                     "Move the volume out of the collider, or take the collider's layer out of the simulation's Collider Layers.");
             else
                 Add(messages, FluidSeverity.Warning, FluidIssue.VolumeInsideCollider, volume,
-                    $"{tally.Carved} of {tally.Carved + tally.Filled} particles would start inside colliders or against their faces, the last one {collider}, and are left out.",
-                    "If more liquid was meant, move the volume and the collider apart, or fill the hollow between colliders with the shape Vessel.");
+                    $"{tally.Carved} of {tally.Carved + tally.Filled} particles would start inside colliders or against their faces, the " +
+                    $"last one {collider}, and are left out.",
+                    "If more liquid was meant, move the volume and the collider apart, or fill the hollow between colliders with the " +
+                    "shape Vessel.");
         }
 
-        static void Add(List<FluidMessage> messages, FluidSeverity severity, FluidIssue issue, in VolumeSpec volume, string text, string cure) =>
+        private static void Add(List<FluidMessage> messages, FluidSeverity severity, FluidIssue issue, in VolumeSpec volume, string text,
+            string cure) =>
             messages.Add(new FluidMessage(severity, issue, volume.Owner, text, cure));
     }
 }

@@ -6,10 +6,10 @@ namespace SphFluid
     /// <summary>Where the liquid starts, from which follow how deep it can stand and how fast it can get.</summary>
     internal readonly struct LiquidExtent
     {
-        readonly Vector3[] corners;
-        readonly Vector3 half;
+        private readonly Vector3[] corners;
+        private readonly Vector3 half;
 
-        LiquidExtent(Vector3[] corners, Vector3 half)
+        private LiquidExtent(Vector3[] corners, Vector3 half)
         {
             this.corners = corners;
             this.half = half;
@@ -30,7 +30,10 @@ namespace SphFluid
             var corners = new Vector3[shapes.Count * 8];
             for (int s = 0; s < shapes.Count; s++)
                 for (int c = 0; c < 8; c++)
-                    corners[s * 8 + c] = shapes[s].Frame.MultiplyPoint3x4(new Vector3((c & 1) - 0.5f, ((c >> 1) & 1) - 0.5f, (c >> 2) - 0.5f));
+                {
+                    corners[s * 8 + c] =
+                        shapes[s].Frame.MultiplyPoint3x4(new Vector3((c & 1) - 0.5f, ((c >> 1) & 1) - 0.5f, (c >> 2) - 0.5f));
+                }
             return new LiquidExtent(corners, domainSize * 0.5f);
         }
 

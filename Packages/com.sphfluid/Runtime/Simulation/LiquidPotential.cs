@@ -3,7 +3,9 @@ using UnityEngine;
 
 namespace SphFluid
 {
-    /// <summary>The potential of gravity and body force, Φ = −g·x + ½ ω² (x − centre)²: liquid at speed v can reach √(v² + 2 (Φ − lowest Φ)).</summary>
+    /// <summary>
+    /// The potential of gravity and body force, Φ = −g·x + ½ ω² (x − centre)²: liquid at speed v can reach √(v² + 2 (Φ − lowest Φ)).
+    /// </summary>
     internal static class LiquidPotential
     {
         /// <summary>The lowest in the domain box [m²/s²].</summary>
@@ -49,7 +51,9 @@ namespace SphFluid
                 Vector3 up = settings.Gravity.normalized;
                 double side = settings.Spacing;
                 for (int axis = 0; axis < 3; axis++)
+                {
                     side = Math.Max(side, settings.DomainSize[axis] * Math.Sqrt(Math.Max(0.0, 1.0 - (double)up[axis] * up[axis])));
+                }
                 double k = Math.PI / side;
                 period = 2.0 * Math.PI / Math.Sqrt(gravity * k * Math.Tanh(k * Math.Max(depth, settings.Spacing)));
             }
@@ -61,6 +65,7 @@ namespace SphFluid
             return period;
         }
 
-        static double At(double x, double gravity, double rate, double centre) => 0.5 * rate * (x - centre) * (x - centre) - gravity * x;
+        private static double At(double x, double gravity, double rate, double centre) =>
+            0.5 * rate * (x - centre) * (x - centre) - gravity * x;
     }
 }

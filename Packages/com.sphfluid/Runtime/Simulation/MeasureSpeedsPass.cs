@@ -6,25 +6,25 @@ namespace SphFluid
     /// <summary>Counts a liquid's particles by speed and by distance from kept places: <see cref="SpeedCounts"/>.</summary>
     internal sealed class MeasureSpeedsPass : ComputePass
     {
-        static readonly int Particles = Id("_Particles");
-        static readonly int Places = Id("_Places");
-        static readonly int PlacesOut = Id("_PlacesOut");
-        static readonly int Claims = Id("_PlaceClaims");
-        static readonly int ClaimsOut = Id("_PlaceClaimsOut");
-        static readonly int PlaceCount = Id("_PlaceCount");
-        static readonly int Counts = Id("_SpeedCounts");
-        static readonly int Counters = Id("_Counters");
-        static readonly int ParticleCount = Id("_ParticleCount");
-        static readonly int Potential = Id("_Potential");
-        static readonly int PotentialCentre = Id("_PotentialCentre");
-        static readonly int PotentialRate = Id("_PotentialRate");
-        static readonly int PotentialLow = Id("_PotentialLow");
-        static readonly int Density = Id("_Density");
-        static readonly int RestDensity = Id("_RestDensity");
+        private static readonly int Particles = Id("_Particles");
+        private static readonly int Places = Id("_Places");
+        private static readonly int PlacesOut = Id("_PlacesOut");
+        private static readonly int Claims = Id("_PlaceClaims");
+        private static readonly int ClaimsOut = Id("_PlaceClaimsOut");
+        private static readonly int PlaceCount = Id("_PlaceCount");
+        private static readonly int Counts = Id("_SpeedCounts");
+        private static readonly int Counters = Id("_Counters");
+        private static readonly int ParticleCount = Id("_ParticleCount");
+        private static readonly int Potential = Id("_Potential");
+        private static readonly int PotentialCentre = Id("_PotentialCentre");
+        private static readonly int PotentialRate = Id("_PotentialRate");
+        private static readonly int PotentialLow = Id("_PotentialLow");
+        private static readonly int Density = Id("_Density");
+        private static readonly int RestDensity = Id("_RestDensity");
 
-        static readonly uint[] Zeros = new uint[SpeedCounts.Size];
+        private static readonly uint[] Zeros = new uint[SpeedCounts.Size];
 
-        readonly ComputeKernel measure, clear, keep, distances;
+        private readonly ComputeKernel measure, clear, keep, distances;
 
         public MeasureSpeedsPass(FluidShaderSet shaders)
             : base(shaders, "MeasureSpeeds")
@@ -86,7 +86,8 @@ namespace SphFluid
         /// <param name="places">What <see cref="RecordPlaces"/> wrote.</param>
         /// <param name="claims">And that.</param>
         /// <param name="counts">Receives its part of the numbers.</param>
-        public void RecordDistances(CommandBuffer cmd, FluidSolver solver, GraphicsBuffer places, GraphicsBuffer claims, GraphicsBuffer counts)
+        public void RecordDistances(CommandBuffer cmd, FluidSolver solver, GraphicsBuffer places, GraphicsBuffer claims,
+            GraphicsBuffer counts)
         {
             using (Sample(cmd))
             {

@@ -5,7 +5,9 @@ namespace SphFluid
     /// <summary>All shaders of the package, by the parts that have them.</summary>
     internal static class PackageShaders
     {
-        /// <summary>The groups: one for each method's folder and for what methods share, and those of surface, drawing and diagnostics.</summary>
+        /// <summary>
+        /// The groups: one for each method's folder and for what methods share, and those of surface, drawing and diagnostics.
+        /// </summary>
         public static IReadOnlyList<ShaderGroup> Groups
         {
             get
@@ -18,7 +20,9 @@ namespace SphFluid
                 }
 
                 groups.AddRange(FluidMethods.SurfaceGroups);
-                groups.AddRange(new[] { ShaderGroup.Simulation, ShaderGroup.Surface, ShaderGroup.Drawing, ShaderGroup.Diagnostics, QueryKind.Shaders, ShaderGroup.WallForces, ShaderGroup.Whitewater });
+                groups
+                    .AddRange(new[] { ShaderGroup.Simulation, ShaderGroup.Surface, ShaderGroup.Drawing, ShaderGroup.Diagnostics,
+                        QueryKind.Shaders, ShaderGroup.WallForces, ShaderGroup.Whitewater });
                 return groups;
             }
         }

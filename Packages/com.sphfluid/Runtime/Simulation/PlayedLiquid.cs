@@ -39,14 +39,19 @@ namespace SphFluid
             if (count > most)
             {
                 messages.Add(new FluidMessage(FluidSeverity.Error, FluidIssue.TooManyParticles, spec.Owner,
-                    FormattableString.Invariant($"A frame of the playback has {count} particles, but {owner}."), "Raise Max Particles in the profile, or play a coarser liquid."));
+                    FormattableString.Invariant($"A frame of the playback has {count} particles, but {owner}."),
+                    "Raise Max Particles in the profile, or play a coarser liquid."));
             }
             if (spec.IdleParts > 0)
+            {
                 messages.Add(new FluidMessage(FluidSeverity.Info, FluidIssue.PlaybackDiffers, spec.Owner,
                     $"The liquid is played back, so {spec.IdleParts} emitters, drains and force zones do nothing.", ""));
+            }
             if (messages.Exists(m => m.Severity == FluidSeverity.Error)) return null;
             var whole = new LiquidBox("Playback", Matrix4x4.Scale(spec.DomainSize), Vector3.zero);
-            return new FluidStart(new List<FluidParticle>(), count, LiquidExtent.Create(new LiquidShape[] { whole }, spec.DomainSize), 0f) { Gravity = spec.LocalGravity };
+            return new FluidStart(new List<FluidParticle>(), count, LiquidExtent.Create(new LiquidShape[] { whole }, spec.DomainSize),
+                0f)
+            { Gravity = spec.LocalGravity };
         }
     }
 }

@@ -7,14 +7,14 @@ namespace SphFluid
     /// <summary>All that a preview of a simulation's start follows from, besides its colliders.</summary>
     internal sealed class PreviewKey
     {
-        readonly FluidStartKey start;
-        readonly FluidLiveKey live;
-        readonly Vector3 position;
-        readonly Quaternion rotation;
-        readonly (FluidCapacityPolicy policy, int capacity) slots;
-        readonly VolumeSpec[] volumes;
-        readonly EmitterSpec[] emitters;
-        readonly int costs;
+        private readonly FluidStartKey start;
+        private readonly FluidLiveKey live;
+        private readonly Vector3 position;
+        private readonly Quaternion rotation;
+        private readonly (FluidCapacityPolicy policy, int capacity) slots;
+        private readonly VolumeSpec[] volumes;
+        private readonly EmitterSpec[] emitters;
+        private readonly int costs;
 
         /// <summary>As of now.</summary>
         public PreviewKey(in FluidSpec spec, IReadOnlyList<VolumeSpec> volumes)
@@ -29,17 +29,19 @@ namespace SphFluid
         }
 
         /// <summary>Whether nothing changed.</summary>
-        public bool Is(PreviewKey other) => other != null && start.Equals(other.start) && live.Equals(other.live) && position.Equals(other.position) &&
-            rotation.Equals(other.rotation) && slots == other.slots && costs == other.costs && Same(volumes, other.volumes) && Same(emitters, other.emitters);
+        public bool Is(PreviewKey other) => other != null && start.Equals(other.start) && live.Equals(other.live) &&
+            position.Equals(other.position) &&
+            rotation.Equals(other.rotation) && slots == other.slots && costs == other.costs && Same(volumes, other.volumes) &&
+            Same(emitters, other.emitters);
 
-        static T[] ToArray<T>(IReadOnlyList<T> items)
+        private static T[] ToArray<T>(IReadOnlyList<T> items)
         {
             var array = new T[items?.Count ?? 0];
             for (int i = 0; i < array.Length; i++) array[i] = items[i];
             return array;
         }
 
-        static bool Same<T>(T[] a, T[] b) where T : struct
+        private static bool Same<T>(T[] a, T[] b) where T : struct
         {
             if (a.Length != b.Length) return false;
             for (int i = 0; i < a.Length; i++)

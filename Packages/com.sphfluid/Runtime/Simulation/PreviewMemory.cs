@@ -6,8 +6,8 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>
-    /// Previews of a simulation's start, one after another while it is edited. Liquid is filled once and kept until something changed that it follows
-    /// from; liquid that takes long to fill waits until nothing changes any more, and filling it can be cancelled.
+    /// Previews of a simulation's start, one after another while it is edited. Liquid is filled once and kept until something changed that
+    /// it follows from; liquid that takes long to fill waits until nothing changes any more, and filling it can be cancelled.
     /// </summary>
     internal sealed class PreviewMemory : IDisposable
     {
@@ -18,19 +18,21 @@ namespace SphFluid
         public const double Idle = 1.0;
 
         // Between two questions whether to go on, in particles.
-        const int Stretch = 4096;
+        private const int Stretch = 4096;
 
-        readonly CollisionScene collision = new CollisionScene();
-        readonly List<FluidMessage> beginMessages = new List<FluidMessage>();
-        PreviewKey filled, changing;
-        FluidStart start;
-        long filledColliders, changingColliders;
-        double changedAt, took;
+        private readonly CollisionScene collision = new CollisionScene();
+        private readonly List<FluidMessage> beginMessages = new List<FluidMessage>();
+        private PreviewKey filled, changing;
+        private FluidStart start;
+        private long filledColliders, changingColliders;
+        private double changedAt, took;
 
         /// <summary>What the simulation would start with, as of the last look; null when it cannot.</summary>
         public FluidPreview Preview { get; private set; }
 
-        /// <summary>Where the particles are at the start, also where an error keeps it from starting; null where none could be filled.</summary>
+        /// <summary>
+        /// Where the particles are at the start, also where an error keeps it from starting; null where none could be filled.
+        /// </summary>
         public FillPoints Points { get; private set; }
 
         /// <summary>Whether <see cref="Points"/> are those of the relaxed start.</summary>
@@ -55,7 +57,8 @@ namespace SphFluid
         /// <param name="goesOn">Asked now and then with the seconds that filling took so far; false cancels it. Null: it goes on.</param>
         /// <param name="messages">What is wrong or worth knowing, errors first; as it was where this returns false.</param>
         /// <returns>False where the preview stays what it was: filling waits or was cancelled.</returns>
-        public bool Look(in FluidSpec spec, IReadOnlyList<VolumeSpec> volumes, double now, Func<double, bool> goesOn, ref List<FluidMessage> messages)
+        public bool Look(in FluidSpec spec, IReadOnlyList<VolumeSpec> volumes, double now, Func<double, bool> goesOn,
+            ref List<FluidMessage> messages)
         {
             var key = new PreviewKey(spec, volumes);
             if (SceneObjects.IsPrefabAsset(spec.Owner))
@@ -65,16 +68,14 @@ namespace SphFluid
                 return true;
             }
             if (CanGather(spec)) collision.Gather(spec.Query());
-            if (IsChange(key))
-            {
-                (changing, changingColliders, changedAt, IsCancelled) = (key, collision.Changes, now, false);
-            }
+            if (IsChange(key)) (changing, changingColliders, changedAt, IsCancelled) = (key, collision.Changes, now, false);
             Waits = !IsFilled(key) && took > Quick && now - changedAt < Idle;
             if (Waits || IsCancelled) return false;
             bool anew = !IsFilled(key);
             try
             {
-                messages = FluidChecks.Check(spec, collision, (s, found) => Begin(s, volumes, key, goesOn, found), out FluidStart checkedStart);
+                messages = FluidChecks.Check(spec, collision, (s, found) => Begin(s, volumes, key, goesOn, found),
+                    out FluidStart checkedStart);
                 if (checkedStart == null) Preview = null;
                 else if (anew || Preview == null) Preview = new FluidPreview(spec, checkedStart, collision);
                 return true;
@@ -86,7 +87,9 @@ namespace SphFluid
             }
         }
 
-        /// <summary>Brings the liquid of the last look to rest as its start would, on the GPU, and shows the particles where they are then.</summary>
+        /// <summary>
+        /// Brings the liquid of the last look to rest as its start would, on the GPU, and shows the particles where they are then.
+        /// </summary>
         /// <param name="spec">The simulation, with a profile and without errors.</param>
         /// <param name="volumes">Its liquid volumes, in hierarchy order.</param>
         /// <param name="watch">Watches, and may cancel.</param>
@@ -112,13 +115,15 @@ namespace SphFluid
         public void Dispose() => collision.Dispose();
 
         // Without numbers to measure by there is nothing to look for.
-        static bool CanGather(in FluidSpec spec) => AffineMath.IsFinite(spec.DomainSize) && AffineMath.IsFinite(spec.Spacing) && AffineMath.IsFinite(spec.Position);
+        private static bool CanGather(in FluidSpec spec) => AffineMath.IsFinite(spec.DomainSize) && AffineMath.IsFinite(spec.Spacing) &&
+            AffineMath.IsFinite(spec.Position);
 
-        bool IsChange(PreviewKey key) => !key.Is(changing) || collision.Changes != changingColliders;
+        private bool IsChange(PreviewKey key) => !key.Is(changing) || collision.Changes != changingColliders;
 
-        bool IsFilled(PreviewKey key) => key.Is(filled) && collision.Changes == filledColliders;
+        private bool IsFilled(PreviewKey key) => key.Is(filled) && collision.Changes == filledColliders;
 
-        FluidStart Begin(in FluidSpec spec, IReadOnlyList<VolumeSpec> volumes, PreviewKey key, Func<double, bool> goesOn, List<FluidMessage> found)
+        private FluidStart Begin(in FluidSpec spec, IReadOnlyList<VolumeSpec> volumes, PreviewKey key, Func<double, bool> goesOn,
+            List<FluidMessage> found)
         {
             if (!IsFilled(key))
             {
@@ -126,7 +131,8 @@ namespace SphFluid
                 (filled, Points, IsRelaxed) = (null, null, false);
                 var clock = Stopwatch.StartNew();
                 Fills++;
-                start = FluidChecks.Begin(spec, volumes, collision, request => Fill(request, clock, goesOn), beginMessages, out IReadOnlyList<LiquidShape> shapes);
+                start = FluidChecks.Begin(spec, volumes, collision, request => Fill(request, clock, goesOn), beginMessages,
+                    out IReadOnlyList<LiquidShape> shapes);
                 Leaks = LeaksOf(shapes);
                 took = clock.Elapsed.TotalSeconds;
                 (filled, filledColliders) = (key, collision.Changes);
@@ -135,7 +141,7 @@ namespace SphFluid
             return start;
         }
 
-        SpawnResult Fill(SpawnRequest request, Stopwatch clock, Func<double, bool> goesOn)
+        private SpawnResult Fill(SpawnRequest request, Stopwatch clock, Func<double, bool> goesOn)
         {
             int left = Stretch;
             SpawnResult filledUp = FluidSpawner.Fill(request, () =>
@@ -148,7 +154,7 @@ namespace SphFluid
             return new SpawnResult(new List<FluidParticle>(), filledUp.Tallies, filledUp.Needed, filledUp.Fastest); // the rest is not kept
         }
 
-        static IReadOnlyList<Vector3> LeaksOf(IReadOnlyList<LiquidShape> shapes)
+        private static IReadOnlyList<Vector3> LeaksOf(IReadOnlyList<LiquidShape> shapes)
         {
             var leaks = new List<Vector3>();
             foreach (LiquidShape shape in shapes)

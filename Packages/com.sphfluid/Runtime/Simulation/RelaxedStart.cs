@@ -10,14 +10,14 @@ namespace SphFluid
     internal static class RelaxedStart
     {
         // Speed that a particle may gain in a tenth of a second, over √(g dx): half of what is seen as a pop.
-        const double Gain = 0.05;
-        const double GainTime = 0.1;
+        private const double Gain = 0.05;
+        private const double GainTime = 0.1;
 
         // Support radii over which a packing settles: what overlaps pushes its neighbours.
-        const double PackedReach = 2.0;
+        private const double PackedReach = 2.0;
 
         // Without gravity, over c²/dx.
-        const double PackedAcceleration = 1e-3;
+        private const double PackedAcceleration = 1e-3;
 
         /// <summary>Makes the particles and reports how.</summary>
         public static IReadOnlyList<FluidParticle> Particles(
@@ -26,7 +26,8 @@ namespace SphFluid
             if (spec.StartRelaxation == FluidStartRelaxation.None || start.Particles.Count == 0) return start.Particles;
             if (!FluidMethods.Has(spec.Method, FluidMethodFeatures.RelaxedStart))
             {
-                Report(spec, report, FluidSeverity.Warning, $"Start Relaxation needs the method Standard; with {spec.Method} the liquid starts from its lattice.",
+                Report(spec, report, FluidSeverity.Warning,
+                    $"Start Relaxation needs the method Standard; with {spec.Method} the liquid starts from its lattice.",
                     "Set Start Relaxation to None, or use the method Standard.");
                 return start.Particles;
             }
@@ -36,7 +37,8 @@ namespace SphFluid
             using (var bodies = new CollisionBodies(settings))
             {
                 bodies.Update(collision.Solids);
-                using (var relaxer = new StartRelaxer(settings, spec.Profile.Shaders, start.Particles, bodies, Height(settings, start.Particles)))
+                using (var relaxer =
+                    new StartRelaxer(settings, spec.Profile.Shaders, start.Particles, bodies, Height(settings, start.Particles)))
                 {
                     bool settled = Watched(watch, goesOn => relaxer.Run(Acceleration(settings), goesOn));
                     ReportResult(spec, report, relaxer, settled, clock.Elapsed.TotalSeconds);
@@ -46,7 +48,7 @@ namespace SphFluid
         }
 
         // Play mode or the player may end while the liquid settles.
-        static bool Watched(StartWatch watch, Func<Func<FluidStartProgress, bool>, bool> run)
+        private static bool Watched(StartWatch watch, Func<Func<FluidStartProgress, bool>, bool> run)
         {
             CancellationToken exit = Application.exitCancellationToken;
             try
@@ -94,23 +96,27 @@ namespace SphFluid
         }
 
         // By id: both are in its order.
-        static FluidParticle[] WithVelocities(FluidParticle[] rested, IReadOnlyList<FluidParticle> start)
+        private static FluidParticle[] WithVelocities(FluidParticle[] rested, IReadOnlyList<FluidParticle> start)
         {
             for (int i = 0; i < rested.Length; i++) rested[i] = new FluidParticle(rested[i].Position, start[i].VelT0, start[i].Id);
             return rested;
         }
 
-        static void ReportResult(in FluidSpec spec, Action<FluidMessage> report, StartRelaxer relaxer, bool settled, double seconds)
+        private static void ReportResult(in FluidSpec spec, Action<FluidMessage> report, StartRelaxer relaxer, bool settled, double seconds)
         {
             string steps = FormattableString.Invariant($"{relaxer.Steps} damped steps ({seconds:0.0} s)");
             if (settled)
-                Report(spec, report, FluidSeverity.Info, FormattableString.Invariant($"The liquid came to rest in {steps}: no particle is accelerated by more than {relaxer.Acceleration:0.##} m/s²."), "");
+                Report(spec, report, FluidSeverity.Info,
+                    FormattableString.Invariant($"The liquid came to rest in {steps}: no particle is accelerated by more than ") +
+                    FormattableString.Invariant($"{relaxer.Acceleration:0.##} m/s²."), "");
             else
-                Report(spec, report, FluidSeverity.Warning, FormattableString.Invariant($"The liquid is not quite at rest after {steps}: a particle is still accelerated by {relaxer.Acceleration:0.##} m/s²."),
+                Report(spec, report, FluidSeverity.Warning,
+                    FormattableString.Invariant($"The liquid is not quite at rest after {steps}: a particle is still accelerated by ") +
+                    FormattableString.Invariant($"{relaxer.Acceleration:0.##} m/s²."),
                     "What is left settles after the start. Liquid with a level surface, that fills its vessel, comes to rest sooner.");
         }
 
-        static void Report(in FluidSpec spec, Action<FluidMessage> report, FluidSeverity severity, string text, string cure) =>
+        private static void Report(in FluidSpec spec, Action<FluidMessage> report, FluidSeverity severity, string text, string cure) =>
             report(new FluidMessage(severity, FluidIssue.StartRelaxation, spec.Owner, text, cure));
     }
 }

@@ -3,7 +3,10 @@ using System.Collections.Generic;
 
 namespace SphFluid
 {
-    /// <summary>What the other components of a scene are to one liquid, as they were at the last look; the lists are filled anew at each, so that a frame makes no garbage.</summary>
+    /// <summary>
+    /// What the other components of a scene are to one liquid, as they were at the last look; the lists are filled anew at each, so that a
+    /// frame makes no garbage.
+    /// </summary>
     internal sealed class SceneParts
     {
         /// <summary>Emitters of the liquid.</summary>
@@ -24,15 +27,29 @@ namespace SphFluid
         /// <summary>What plays the liquid; null: it is stepped.</summary>
         public IFluidPlayback Playback { get; set; }
 
-        /// <summary>A number that another number or setting of volumes, emitters and zones changes: what keeps a liquid from starting is tried again then. NaN is the same as NaN.</summary>
+        /// <summary>
+        /// A number that another number or setting of volumes, emitters and zones changes: what keeps a liquid from starting is tried again
+        /// then. NaN is the same as NaN.
+        /// </summary>
         public int Sources
         {
             get
             {
                 var all = new HashCode();
-                foreach (VolumeSpec volume in Volumes) all.Add((volume.Shape, volume.Size, volume.FilledMesh, volume.Level, volume.DomainHolds, volume.InitialVelocity));
-                foreach (EmitterSpec emitter in Emitters) all.Add((emitter.Shape, emitter.Size, emitter.Mesh, emitter.Flow, emitter.Amount, emitter.Lifetime, emitter.UnderWater));
-                foreach (ZoneSpec zone in Zones) all.Add((zone.Kind, zone.Shape, zone.Size, zone.Strength, zone.WindSpeed, zone.DragRate, (zone.EddySize, zone.EddyTime)));
+                foreach (VolumeSpec volume in Volumes)
+                {
+                    all.Add((volume.Shape, volume.Size, volume.FilledMesh, volume.Level, volume.DomainHolds, volume.InitialVelocity));
+                }
+                foreach (EmitterSpec emitter in Emitters)
+                {
+                    all.Add((emitter.Shape, emitter.Size, emitter.Mesh, emitter.Flow, emitter.Amount, emitter.Lifetime,
+                        emitter.UnderWater));
+                }
+                foreach (ZoneSpec zone in Zones)
+                {
+                    all.Add((zone.Kind, zone.Shape, zone.Size, zone.Strength, zone.WindSpeed, zone.DragRate,
+                        (zone.EddySize, zone.EddyTime)));
+                }
                 return all.ToHashCode();
             }
         }

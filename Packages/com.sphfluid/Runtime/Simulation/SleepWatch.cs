@@ -9,24 +9,25 @@ namespace SphFluid
     internal sealed class SleepWatch
     {
         // Over √(g dx).
-        const double QuietSpeed = 0.3;
+        private const double QuietSpeed = 0.3;
 
-        // Over dx, for half of the particles, for all but a hundredth, and for all. Half of a pool at rest stays where it is for ever, while
-        // here and there a few find a better place: in 2 s 0.05, 0.4 and 1 dx, of which neighbours share 0.08. What flows takes all along.
-        const double HalfDistance = 0.15;
-        const double BulkDistance = 0.6;
-        const double LongestDistance = 1.5;
+        // Over dx, for half of the particles, for all but a hundredth, and for all. Half of a pool at rest stays where it is for ever,
+        // while here and there a few find a better place: in 2 s 0.05, 0.4 and 1 dx, of which neighbours share 0.08. What flows takes all
+        // along.
+        private const double HalfDistance = 0.15;
+        private const double BulkDistance = 0.6;
+        private const double LongestDistance = 1.5;
 
         // ν over c R by rule: below it motion that is left is noise, above it the liquid is meant to creep.
-        const double ThinViscosity = 0.001;
+        private const double ThinViscosity = 0.001;
 
         // Over the longest period, and s.
-        const double Periods = 1.25;
-        const double LeastTime = 2.0;
+        private const double Periods = 1.25;
+        private const double LeastTime = 2.0;
 
-        double speedLimit, halfLimit, bulkLimit, farthestLimit, holdTime;
-        double quiet;
-        int kept;
+        private double speedLimit, halfLimit, bulkLimit, farthestLimit, holdTime;
+        private double quiet;
+        private int kept;
 
         /// <summary>A watch for a liquid.</summary>
         /// <param name="settings">Its constants.</param>
@@ -36,7 +37,9 @@ namespace SphFluid
         /// <summary>Whether the liquid rests.</summary>
         public bool IsAsleep { get; private set; }
 
-        /// <summary>Takes over changed constants. Without any force there is nothing that brings liquid to rest: it is never asleep.</summary>
+        /// <summary>
+        /// Takes over changed constants. Without any force there is nothing that brings liquid to rest: it is never asleep.
+        /// </summary>
         public void Configure(in FluidSolverSettings settings, double depth)
         {
             double acceleration = LiquidPotential.Acceleration(settings);
@@ -94,7 +97,7 @@ namespace SphFluid
             }
         }
 
-        bool IsInPlace(in SpeedSample sample) =>
+        private bool IsInPlace(in SpeedSample sample) =>
             sample.HalfDistance < halfLimit && sample.Distance < bulkLimit && sample.Farthest < farthestLimit;
     }
 }

@@ -3,7 +3,9 @@ using System.Collections.Generic;
 
 namespace SphFluid
 {
-    /// <summary>Particles of a liquid counted by the squares of what moves them, in bins (Shaders/Simulation/MeasureSpeeds.compute).</summary>
+    /// <summary>
+    /// Particles of a liquid counted by the squares of what moves them, in bins (Shaders/Simulation/MeasureSpeeds.compute).
+    /// </summary>
     internal static class SpeedCounts
     {
         /// <summary>Bins of each kind: eight an octave of the square from 2^−40 on, the last one without an end.</summary>
@@ -21,7 +23,7 @@ namespace SphFluid
         /// <summary>Numbers in all.</summary>
         public const int Size = Compression + 1;
 
-        const int FirstBin = 696, Shift = 20;
+        private const int FirstBin = 696, Shift = 20;
 
         /// <summary>The bin of a square.</summary>
         public static int BinOf(float square)
@@ -55,7 +57,7 @@ namespace SphFluid
             return float.PositiveInfinity;
         }
 
-        static long Count(IReadOnlyList<uint> counts, int kind)
+        private static long Count(IReadOnlyList<uint> counts, int kind)
         {
             long all = 0;
             for (int bin = 0; bin < Bins; bin++) all += counts[kind + bin];
@@ -67,7 +69,7 @@ namespace SphFluid
     internal struct SpeedSample
     {
         // One drop in a hundred particles does not hold the rest.
-        const double BulkShare = 0.99;
+        private const double BulkShare = 0.99;
 
         /// <summary>Fastest particle of the frame's steps [m/s].</summary>
         public float Fastest;
@@ -81,7 +83,9 @@ namespace SphFluid
         /// <summary>Fastest particle at the end of the frame, up to 6 % too much [m/s].</summary>
         public float Present;
 
-        /// <summary>Distance from where they were when their places were kept that half of the particles do not exceed, up to 6 % too much [m].</summary>
+        /// <summary>
+        /// Distance from where they were when their places were kept that half of the particles do not exceed, up to 6 % too much [m].
+        /// </summary>
         public float HalfDistance;
 
         /// <summary>The distance that all but a hundredth do not exceed, up to 6 % too much [m].</summary>

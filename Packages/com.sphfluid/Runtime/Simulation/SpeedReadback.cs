@@ -13,14 +13,16 @@ namespace SphFluid
         /// <summary>Age of the sample in frames with steps.</summary>
         public const int Delay = 3;
 
-        readonly FluidSolver solver;
-        readonly MeasureSpeedsPass pass;
-        readonly Slot[] slots = new Slot[Delay];
-        GraphicsBuffer counts, places, claims;
-        int next, keepings;
-        bool keeps, hasPlaces;
+        private readonly FluidSolver solver;
+        private readonly MeasureSpeedsPass pass;
+        private readonly Slot[] slots = new Slot[Delay];
+        private GraphicsBuffer counts, places, claims;
+        private int next, keepings;
+        private bool keeps, hasPlaces;
 
-        /// <summary>Starts with a speed of the particles, or the present one where that is faster, and the head that the constants are made for.</summary>
+        /// <summary>
+        /// Starts with a speed of the particles, or the present one where that is faster, and the head that the constants are made for.
+        /// </summary>
         /// <param name="solver">The liquid.</param>
         /// <param name="shaders">The shaders.</param>
         /// <param name="speed">Fastest particle until a measurement is there [m/s].</param>
@@ -68,7 +70,10 @@ namespace SphFluid
         {
             ForgetPlaces();
             for (int i = 0; i < Delay; i++)
-                slots[i] = new Slot { Known = true, Sample = new SpeedSample { Fastest = speed, Bulk = speed, Head = head, Present = head } };
+            {
+                slots[i] =
+                    new Slot { Known = true, Sample = new SpeedSample { Fastest = speed, Bulk = speed, Head = head, Present = head } };
+            }
         }
 
         /// <summary>What is known of the last frames, the oldest first, once nothing is under way; for saves.</summary>
@@ -126,11 +131,11 @@ namespace SphFluid
             GpuBuffers.Dispose(ref claims);
         }
 
-        static long Bytes(GraphicsBuffer buffer) => buffer == null ? 0 : (long)buffer.count * buffer.stride;
+        private static long Bytes(GraphicsBuffer buffer) => buffer == null ? 0 : (long)buffer.count * buffer.stride;
 
-        sealed class Slot
+        private sealed class Slot
         {
-            [OutlivesPlay("it is filled anew for each use")] static readonly uint[] Numbers = new uint[SpeedCounts.Size];
+            [OutlivesPlay("it is filled anew for each use")] private static readonly uint[] Numbers = new uint[SpeedCounts.Size];
 
             public AsyncGPUReadbackRequest Request;
             public SpeedSample Sample;

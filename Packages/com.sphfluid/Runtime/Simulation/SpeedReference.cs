@@ -4,21 +4,22 @@ namespace SphFluid
 {
     /// <summary>
     /// The speed that a running liquid's constants are made for. It follows the measured one down slowly, because a softer liquid is
-    /// compressed more and its level sinks, and up at once as fast as pressure can follow; never above the speed by rule but for what colliders do.
+    /// compressed more and its level sinks, and up at once as fast as pressure can follow; never above the speed by rule but for what
+    /// colliders do.
     /// </summary>
     internal sealed class SpeedReference
     {
         // s, in which the speed changes by a factor e at most: down in many swings of a pool's compression, up in one or two.
-        const double FallTime = 1.0;
-        const double RiseTime = 0.1;
+        private const double FallTime = 1.0;
+        private const double RiseTime = 0.1;
 
         // A bin's edge is no change: the fall begins below a bin's width.
-        const double Slack = 1.07;
+        private const double Slack = 1.07;
 
         // s: a single long frame counts for no more.
-        const double LongestFrame = 0.1;
+        private const double LongestFrame = 0.1;
 
-        bool falls;
+        private bool falls;
 
         /// <summary>Starts with the speed by rule.</summary>
         /// <param name="most">The speed by rule [m/s].</param>

@@ -5,8 +5,8 @@ namespace SphFluid
     /// <summary>Who watches a start that takes long.</summary>
     internal readonly struct StartWatch
     {
-        readonly Func<FluidStartProgress, bool> goesOn;
-        readonly Action ended;
+        private readonly Func<FluidStartProgress, bool> goesOn;
+        private readonly Action ended;
 
         /// <param name="goesOn">Called now and then; false ends the start.</param>
         /// <param name="ended">Called once, however the start ended.</param>

@@ -2,11 +2,14 @@ using System;
 
 namespace SphFluid
 {
-    /// <summary>The GPU time of a simulation's steps: taken for as long as anybody asks for it, and once after a start for what the choice of a method goes by.</summary>
+    /// <summary>
+    /// The GPU time of a simulation's steps: taken for as long as anybody asks for it, and once after a start for what the choice of a
+    /// method goes by.
+    /// </summary>
     internal sealed class StepTiming : IDisposable
     {
-        readonly StepCostWatch costs = new StepCostWatch();
-        int askers;
+        private readonly StepCostWatch costs = new StepCostWatch();
+        private int askers;
 
         /// <summary>Takes the time; null: nobody asks for it.</summary>
         public StepTimer Timer { get; private set; }
@@ -29,7 +32,9 @@ namespace SphFluid
             return true;
         }
 
-        /// <summary>A liquid started whose method was chosen: what its steps cost in play is better known than what they cost at the start.</summary>
+        /// <summary>
+        /// A liquid started whose method was chosen: what its steps cost in play is better known than what they cost at the start.
+        /// </summary>
         public void BeginCosts()
         {
             if (!StepTimer.IsSupported) return;

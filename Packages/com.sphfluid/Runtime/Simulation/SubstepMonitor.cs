@@ -16,15 +16,15 @@ namespace SphFluid
         public const int StartFrames = 3;
 
         // A frame counts for no more than this, so that it takes several to make an episode.
-        const double LongestShare = 0.1;
+        private const double LongestShare = 0.1;
 
-        const double QuietTime = 1.0;
-        const double Smoothing = 0.1;
-        const double RoundingSlack = 1e-6;
+        private const double QuietTime = 1.0;
+        private const double Smoothing = 0.1;
+        private const double RoundingSlack = 1e-6;
 
-        bool lagging;
-        double capped, quiet;
-        long frames;
+        private bool lagging;
+        private double capped, quiet;
+        private long frames;
 
         /// <summary>Frames since the start in which the cap was reached.</summary>
         public long CapHits { get; private set; }
@@ -67,11 +67,12 @@ namespace SphFluid
             double needed = steps + Math.Ceiling(clock.LastDroppedTime / clock.TimeStep - RoundingSlack);
             return FormattableString.Invariant(
                 $"A frame of {1e3 * deltaTime:0.#} ms needs {needed} steps of {1e3 * clock.TimeStep:0.###} ms, ") +
-                FormattableString.Invariant($"but at most {clock.MaxSteps} are allowed, so the liquid moves at {100.0 * factor:0} % of real time ") +
+                FormattableString.Invariant($"but at most {clock.MaxSteps} are allowed, so the liquid moves at {100.0 * factor:0} % of ") +
+                "real time " +
                 FormattableString.Invariant($"({CapHits} such frames so far).");
         }
 
-        void NoteQuiet(double deltaTime)
+        private void NoteQuiet(double deltaTime)
         {
             quiet += deltaTime;
             if (quiet < QuietTime) return;

@@ -7,9 +7,11 @@ namespace SphFluid
     internal static class TimeStepChecks
     {
         // A float that is as long as the limit: 0.0012 s, as it is proposed.
-        const double RoundingSlack = 1.0 + 1e-6;
+        private const double RoundingSlack = 1.0 + 1e-6;
 
-        /// <summary>Warns where the fixed step, or that of frames of 1/60 s, is above what is stable at the fastest expected speed.</summary>
+        /// <summary>
+        /// Warns where the fixed step, or that of frames of 1/60 s, is above what is stable at the fastest expected speed.
+        /// </summary>
         public static void Check(in FluidSpec spec, in FluidSolverSettings settings, List<FluidMessage> messages)
         {
             bool byFrame = spec.TimeStepMode != FluidTimeStepMode.Fixed;
@@ -19,19 +21,23 @@ namespace SphFluid
             if (byFrame)
             {
                 messages.Add(new FluidMessage(FluidSeverity.Warning, FluidIssue.TimeStepInvalid, spec.Owner,
-                    $"Steps of {TimeStepAdvice.Milliseconds(settings.TimeStep)}, which frames of 1/60 s are cut into, are longer than the {TimeStepAdvice.Milliseconds(advice.Largest)} " +
+                    $"Steps of {TimeStepAdvice.Milliseconds(settings.TimeStep)}, which frames of 1/60 s are cut into, are longer than " +
+                    $"the {TimeStepAdvice.Milliseconds(advice.Largest)} " +
                     $"in which the method {spec.Method} carries liquid of this depth, so {Consequence(advice.Limit)}.",
-                    FormattableString.Invariant($"Raise the profile's Substeps to {Math.Ceiling(spec.Profile.Rules.Substeps * settings.TimeStep / advice.Largest)} or more, or use a larger Particle Spacing.")));
+                    "Raise the profile's Substeps to " +
+                    FormattableString.Invariant($"{Math.Ceiling(spec.Profile.Rules.Substeps * settings.TimeStep / advice.Largest)} or ") +
+                    "more, or use a larger Particle Spacing."));
                 return;
             }
             double better = RoundedDown(advice.Step(spec.Profile.Rules.TimeStepFraction));
             messages.Add(new FluidMessage(FluidSeverity.Warning, FluidIssue.TimeStepInvalid, spec.Owner,
-                $"The fixed time step of {TimeStepAdvice.Milliseconds(settings.TimeStep)} is above the stability limit of {TimeStepAdvice.Milliseconds(advice.Largest)}, " +
+                $"The fixed time step of {TimeStepAdvice.Milliseconds(settings.TimeStep)} is above the stability limit of " +
+                $"{TimeStepAdvice.Milliseconds(advice.Largest)}, " +
                 $"which {advice.Cause}, so {Consequence(advice.Limit)}.",
                 FormattableString.Invariant($"Use a Fixed Time Step of {better} s, or set Time Step Mode to Automatic; {advice.Cure}.")));
         }
 
-        static string Consequence(TimeStepLimit limit)
+        private static string Consequence(TimeStepLimit limit)
         {
             switch (limit)
             {

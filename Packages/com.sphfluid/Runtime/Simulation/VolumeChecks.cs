@@ -15,18 +15,25 @@ namespace SphFluid
             Matrix4x4 toSimulation = worldToLocal * volume.LocalToWorld;
             Vector3 velocity = worldToLocal.MultiplyVector(volume.Rotation * volume.InitialVelocity);
             if (!AffineMath.IsFinite(volume.InitialVelocity.sqrMagnitude))
-                return Fail(volume, messages, $"The liquid volume's initial velocity is {volume.InitialVelocity} m/s, which cannot be computed with.",
+            {
+                return Fail(volume, messages,
+                    $"The liquid volume's initial velocity is {volume.InitialVelocity} m/s, which cannot be computed with.",
                     "Give Initial Velocity three finite numbers.");
+            }
             if (volume.Shape == FluidVolumeShape.Vessel) return Vessel(volume, spec, collision, velocity, messages);
             if (AffineMath.IsSingular(toSimulation))
+            {
                 return Fail(volume, messages, "The liquid volume's transform has a zero or non-finite scale.",
                     "Give the object and its parents a scale without zeros.");
+            }
             if (volume.Shape == FluidVolumeShape.Mesh) return Mesh(volume, toSimulation, velocity, messages);
 
             Vector3 size = volume.Size;
             if (!AffineMath.IsFinite(size) || !(size.x > 0f && size.y > 0f && size.z > 0f))
+            {
                 return Fail(volume, messages, $"The liquid volume's size is {FluidMessage.Lengths(size)} m.",
                     "Give Size three numbers greater than zero.");
+            }
             Matrix4x4 frame = worldToLocal * (volume.LocalToWorld * Matrix4x4.Scale(size));
             if (volume.Shape == FluidVolumeShape.Sphere) return new LiquidEllipsoid(volume.Name, frame, velocity);
             return new LiquidBox(volume.Name, frame, velocity);
@@ -39,7 +46,8 @@ namespace SphFluid
             if (vessel.IsTooFine)
             {
                 messages.Add(new FluidMessage(FluidSeverity.Error, FluidIssue.TooManyParticles, volume.Owner,
-                    FormattableString.Invariant($"The vessel has more than {VesselCells.Most} places for particles at a spacing of {spec.Spacing} m."),
+                    FormattableString.Invariant($"The vessel has more than {VesselCells.Most} places for particles at a spacing of ") +
+                    FormattableString.Invariant($"{spec.Spacing} m."),
                     "Use a larger Particle Spacing or a smaller domain."));
                 return false;
             }
@@ -53,35 +61,51 @@ namespace SphFluid
             string cure = rim
                 ? FormattableString.Invariant($"Set Level to {leak.HoldsTo:0.###} m or less")
                 : "Close the gap in the colliders";
-            messages.Add(new FluidMessage(FluidSeverity.Error, FluidIssue.VesselLeaks, volume.Owner, "The liquid runs out of the vessel " + outlet,
+            messages
+                .Add(new FluidMessage(FluidSeverity.Error, FluidIssue.VesselLeaks, volume.Owner,
+                    "The liquid runs out of the vessel " + outlet,
                 cure + ", or switch Domain Holds on if the domain's faces are to hold the liquid too."));
             return false;
         }
 
-        static LiquidShape Mesh(in VolumeSpec volume, in Matrix4x4 toSimulation, Vector3 velocity, List<FluidMessage> messages)
+        private static LiquidShape Mesh(in VolumeSpec volume, in Matrix4x4 toSimulation, Vector3 velocity, List<FluidMessage> messages)
         {
             Mesh mesh = volume.FilledMesh;
             if (mesh == null)
+            {
                 return Fail(volume, messages, "The liquid volume has no mesh.",
                     "Assign a closed mesh, or add a Mesh Filter that has one.", FluidIssue.VolumeMeshInvalid);
+            }
             if (!mesh.isReadable)
+            {
                 return Fail(volume, messages, $"The liquid volume's mesh '{mesh.name}' cannot be read.",
                     "Tick Read/Write in the mesh's import settings.", FluidIssue.VolumeMeshInvalid);
+            }
             TriangleMesh triangles = new MeshReader().Read(mesh);
             if (triangles.TriangleCount == 0)
+            {
                 return Fail(volume, messages, $"The liquid volume's mesh '{mesh.name}' has no triangles.",
                     "Assign a closed mesh.", FluidIssue.VolumeMeshInvalid);
+            }
             if (!triangles.IsClosed)
-                return Fail(volume, messages, $"The liquid volume's mesh '{mesh.name}' is open: {triangles.OpenEdges().Count} edges do not join two triangles, so it has no inside.",
-                    "Close the mesh's holes in the program that made it, or use the shape Vessel with a Mesh Collider.", FluidIssue.VolumeMeshInvalid);
+            {
+                return Fail(volume, messages,
+                    $"The liquid volume's mesh '{mesh.name}' is open: {triangles.OpenEdges().Count} edges do not join two triangles, so " +
+                    "it has no inside.",
+                    "Close the mesh's holes in the program that made it, or use the shape Vessel with a Mesh Collider.",
+                    FluidIssue.VolumeMeshInvalid);
+            }
             return new LiquidMesh(volume.Name, triangles.Transformed(toSimulation), velocity);
         }
 
-        static LiquidShape Vessel(in VolumeSpec volume, in FluidSpec spec, CollisionScene collision, Vector3 velocity, List<FluidMessage> messages)
+        private static LiquidShape Vessel(in VolumeSpec volume, in FluidSpec spec, CollisionScene collision, Vector3 velocity,
+            List<FluidMessage> messages)
         {
             if (!AffineMath.IsFinite(volume.Level) || !(volume.Level > 0f))
+            {
                 return Fail(volume, messages, FormattableString.Invariant($"The vessel's level is {volume.Level} m."),
                     "Place the object in the hollow and give Level the height of the surface above it, a number greater than zero.");
+            }
             Vector3 gravity = spec.LocalGravity;
             Vector3 up = gravity.sqrMagnitude > 0f ? -gravity.normalized : Quaternion.Inverse(spec.Rotation) * Vector3.up;
             var input = new VesselInput
@@ -97,7 +121,8 @@ namespace SphFluid
             return new LiquidVessel(volume.Name, input, velocity);
         }
 
-        static LiquidShape Fail(in VolumeSpec volume, List<FluidMessage> messages, string text, string cure, FluidIssue issue = FluidIssue.VolumeSizeInvalid)
+        private static LiquidShape Fail(in VolumeSpec volume, List<FluidMessage> messages, string text, string cure,
+            FluidIssue issue = FluidIssue.VolumeSizeInvalid)
         {
             messages.Add(new FluidMessage(FluidSeverity.Error, issue, volume.Owner, text, cure));
             return null;

@@ -4,15 +4,18 @@ using UnityEngine;
 
 namespace SphFluid
 {
-    /// <summary>The liquid volumes of a running liquid: those that come bring their liquid, and of those that change it can say so.</summary>
+    /// <summary>
+    /// The liquid volumes of a running liquid: those that come bring their liquid, and of those that change it can say so.
+    /// </summary>
     internal sealed class VolumeWatch
     {
         // Of the spacing: where a volume begins and ends for its liquid.
-        const float Tolerance = 0.01f;
+        private const float Tolerance = 0.01f;
 
-        readonly Dictionary<Component, VolumeSpec> filled = new Dictionary<Component, VolumeSpec>(); // to simulation space in place of the world's
-        readonly HashSet<Component> present = new HashSet<Component>();
-        readonly HashSet<Component> before = new HashSet<Component>();
+        // to simulation space in place of the world's
+        private readonly Dictionary<Component, VolumeSpec> filled = new Dictionary<Component, VolumeSpec>();
+        private readonly HashSet<Component> present = new HashSet<Component>();
+        private readonly HashSet<Component> before = new HashSet<Component>();
 
         /// <summary>Takes over what a liquid started with.</summary>
         /// <param name="spec">The simulation.</param>
@@ -75,45 +78,52 @@ namespace SphFluid
         {
             if (!filled.TryGetValue(volume.Owner, out VolumeSpec then)) return null;
             if (!isEnabled)
+            {
                 return new FluidMessage(FluidSeverity.Info, FluidIssue.VolumeChanged, volume.Owner,
                     "The liquid volume was disabled while the liquid runs: the liquid that it filled stays.",
                     "Restart the liquid to start without it, or enable the volume to add its liquid once more.");
+            }
             if (IsSame(then, volume, spec)) return null;
             return new FluidMessage(FluidSeverity.Info, FluidIssue.VolumeChanged, volume.Owner,
-                "The liquid volume was moved or changed while the liquid runs: it fills at the start and when it is enabled, and does not carry liquid along.",
+                "The liquid volume was moved or changed while the liquid runs: it fills at the start and when it is enabled, and does " +
+                "not carry liquid along.",
                 "Restart the liquid to start with the volume as it is now.");
         }
 
-        static void Fill(in FluidSpec spec, FluidRun run, in VolumeSpec volume, Action<FluidMessage> report)
+        private static void Fill(in FluidSpec spec, FluidRun run, in VolumeSpec volume, Action<FluidMessage> report)
         {
             var messages = new List<FluidMessage>();
             LiquidShape shape = VolumeChecks.Check(volume, spec, run.Collision, messages);
             if (shape != null)
             {
                 SpawnResult counted = FluidSpawner.Measure(SpawnRequests.For(spec, new[] { shape }, run.Collision));
-                if (LiquidChecks.CheckCount(spec, counted, messages)) LiquidChecks.Check(spec, new[] { (volume, shape) }, counted, run.Collision, messages);
+                if (LiquidChecks.CheckCount(spec, counted, messages))
+                {
+                    LiquidChecks.Check(spec, new[] { (volume, shape) }, counted, run.Collision, messages);
+                }
             }
-            foreach (FluidMessage message in messages)
-                report(message.Severity == FluidSeverity.Error ? Unfilled(message) : message);
+            foreach (FluidMessage message in messages) report(message.Severity == FluidSeverity.Error ? Unfilled(message) : message);
             if (!FluidChecks.HasErrors(messages)) run.AddLiquid(spec, shape);
         }
 
         // The liquid runs on.
-        static FluidMessage Unfilled(in FluidMessage message) => new FluidMessage(
+        private static FluidMessage Unfilled(in FluidMessage message) => new FluidMessage(
             FluidSeverity.Warning, message.Issue, message.Context, message.Text + " It adds no liquid.", message.Cure);
 
-        static FluidMessage Fixed(in FluidSpec spec, in VolumeSpec volume) => new FluidMessage(
+        private static FluidMessage Fixed(in FluidSpec spec, in VolumeSpec volume) => new FluidMessage(
             FluidSeverity.Warning, FluidIssue.VolumeChanged, volume.Owner,
-            $"The liquid volume was enabled while '{spec.Name}' runs by the method {spec.Method}, which has a fixed number of particles: it adds no liquid.",
+            $"The liquid volume was enabled while '{spec.Name}' runs by the method {spec.Method}, which has a fixed number of particles: " +
+            "it adds no liquid.",
             "Restart the liquid to start with the volume, or set Method to Standard.");
 
-        static bool IsSame(in VolumeSpec then, in VolumeSpec now, in FluidSpec spec)
+        private static bool IsSame(in VolumeSpec then, in VolumeSpec now, in FluidSpec spec)
         {
             Matrix4x4 toSimulation = spec.WorldToLocal * now.LocalToWorld;
             float tolerance = Tolerance * spec.Spacing;
             for (int i = 0; i < 16; i++)
                 if (Mathf.Abs(toSimulation[i] - then.LocalToWorld[i]) > tolerance) return false;
-            return now.Shape == then.Shape && AffineMath.Same(now.Size, then.Size) && now.FilledMesh == then.FilledMesh && now.Level.Equals(then.Level) &&
+            return now.Shape == then.Shape && AffineMath.Same(now.Size, then.Size) && now.FilledMesh == then.FilledMesh &&
+                now.Level.Equals(then.Level) &&
                 now.DomainHolds == then.DomainHolds && AffineMath.Same(now.InitialVelocity, then.InitialVelocity);
         }
     }

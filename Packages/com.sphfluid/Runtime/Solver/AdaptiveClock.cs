@@ -10,13 +10,13 @@ namespace SphFluid
     internal sealed class AdaptiveClock : IStepClock
     {
         // A frame of exactly n steps must give n, however its float was rounded.
-        const double RoundingSlack = 1e-6;
+        private const double RoundingSlack = 1e-6;
 
         // The target grows by 2 % a frame, and stays below the longest stable step by 5 %, the flicker of a calm liquid's speed.
-        const double Growth = 1.02;
-        const double Margin = 1.05;
+        private const double Growth = 1.02;
+        private const double Margin = 1.05;
 
-        double stable, target, pending;
+        private double stable, target, pending;
 
         /// <summary>Creates a clock at time zero.</summary>
         /// <param name="stableStep">Longest step now [s], positive.</param>
@@ -77,17 +77,11 @@ namespace SphFluid
             }
 
             LastDroppedTime = 0.0;
-            if (deltaTime == 0.0)
-            {
-                return 0;
-            }
+            if (deltaTime == 0.0) return 0;
 
             target = Math.Max(target, Math.Min(target * Growth, stable / Margin));
             pending += deltaTime;
-            if (pending < 0.5 * target)
-            {
-                return 0; // frames shorter than half a step wait for each other
-            }
+            if (pending < 0.5 * target) return 0; // frames shorter than half a step wait for each other
 
             double time = pending;
             pending = 0.0;

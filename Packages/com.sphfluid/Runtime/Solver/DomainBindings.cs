@@ -6,38 +6,39 @@ namespace SphFluid
     /// <summary>Globals of what the domain does to the liquid, for the kernels of any method.</summary>
     internal static class DomainBindings
     {
-        const string PeriodicKeyword = "FLUID_PERIODIC";
+        private const string PeriodicKeyword = "FLUID_PERIODIC";
 
         // m: where a face is not of the kind. Its square is still a float.
-        const float FarAway = 1e18f;
+        private const float FarAway = 1e18f;
 
         // m: no distance to a wall is less.
-        const float Nowhere = -1e18f;
+        private const float Nowhere = -1e18f;
 
-        static readonly int WallsLow = Shader.PropertyToID("_WallsLow");
-        static readonly int WallsHigh = Shader.PropertyToID("_WallsHigh");
-        static readonly int OpenLow = Shader.PropertyToID("_OpenLow");
-        static readonly int OpenHigh = Shader.PropertyToID("_OpenHigh");
-        static readonly int PeriodLength = Shader.PropertyToID("_PeriodLength");
-        static readonly int PeriodRate = Shader.PropertyToID("_PeriodRate");
-        static readonly int BodyForceCentre = Shader.PropertyToID("_BodyForceCentre");
-        static readonly int BodyForceRate = Shader.PropertyToID("_BodyForceRate");
-        static readonly int DragSpeed = Shader.PropertyToID("_DragSpeed");
-        static readonly int DragDistance = Shader.PropertyToID("_DragDistance");
-        static readonly int DragStep = Shader.PropertyToID("_DragStep");
-        static readonly int WallLowX = Shader.PropertyToID("_WallLowX");
-        static readonly int WallLowY = Shader.PropertyToID("_WallLowY");
-        static readonly int WallLowZ = Shader.PropertyToID("_WallLowZ");
-        static readonly int WallHighX = Shader.PropertyToID("_WallHighX");
-        static readonly int WallHighY = Shader.PropertyToID("_WallHighY");
-        static readonly int WallHighZ = Shader.PropertyToID("_WallHighZ");
+        private static readonly int WallsLow = Shader.PropertyToID("_WallsLow");
+        private static readonly int WallsHigh = Shader.PropertyToID("_WallsHigh");
+        private static readonly int OpenLow = Shader.PropertyToID("_OpenLow");
+        private static readonly int OpenHigh = Shader.PropertyToID("_OpenHigh");
+        private static readonly int PeriodLength = Shader.PropertyToID("_PeriodLength");
+        private static readonly int PeriodRate = Shader.PropertyToID("_PeriodRate");
+        private static readonly int BodyForceCentre = Shader.PropertyToID("_BodyForceCentre");
+        private static readonly int BodyForceRate = Shader.PropertyToID("_BodyForceRate");
+        private static readonly int DragSpeed = Shader.PropertyToID("_DragSpeed");
+        private static readonly int DragDistance = Shader.PropertyToID("_DragDistance");
+        private static readonly int DragStep = Shader.PropertyToID("_DragStep");
+        private static readonly int WallLowX = Shader.PropertyToID("_WallLowX");
+        private static readonly int WallLowY = Shader.PropertyToID("_WallLowY");
+        private static readonly int WallLowZ = Shader.PropertyToID("_WallLowZ");
+        private static readonly int WallHighX = Shader.PropertyToID("_WallHighX");
+        private static readonly int WallHighY = Shader.PropertyToID("_WallHighY");
+        private static readonly int WallHighZ = Shader.PropertyToID("_WallHighZ");
 
-        /// <summary>Periodic axes of Shaders/Solver/DomainFaces.hlsl, for kernels with variants and for those that go by the lengths.</summary>
+        /// <summary>
+        /// Periodic axes of Shaders/Solver/DomainFaces.hlsl, for kernels with variants and for those that go by the lengths.
+        /// </summary>
         public static void SetPeriodic(CommandBuffer cmd, ComputeKernel kernel, in FluidSolverSettings settings)
         {
             bool on = settings.Boundaries.Periodic != FluidAxes.None;
-            if (kernel.HasKeyword(PeriodicKeyword))
-                kernel.SetKeyword(cmd, PeriodicKeyword, on);
+            if (kernel.HasKeyword(PeriodicKeyword)) kernel.SetKeyword(cmd, PeriodicKeyword, on);
             kernel.SetVector(cmd, PeriodLength, on ? settings.PeriodLength : Vector3.zero);
             kernel.SetVector(cmd, PeriodRate, on ? settings.PeriodRate : Vector3.zero);
         }
@@ -73,7 +74,10 @@ namespace SphFluid
             kernel.SetVector(cmd, WallHighZ, walls.HighZ);
         }
 
-        /// <summary>DomainFaces.hlsl: where the faces are walls and where they are open; the walls a distance of <paramref name="inset"/> [m] further in than the faces.</summary>
+        /// <summary>
+        /// DomainFaces.hlsl: where the faces are walls and where they are open; the walls a distance of <paramref name="inset"/> [m]
+        /// further in than the faces.
+        /// </summary>
         public static void SetFaces(CommandBuffer cmd, ComputeKernel kernel, in FluidSolverSettings settings, float inset = 0f)
         {
             FluidBoundaries boundaries = settings.Boundaries;
@@ -85,7 +89,7 @@ namespace SphFluid
             kernel.SetVector(cmd, OpenHigh, Where(face, boundaries.Open, FluidFaces.HighX, FluidFaces.HighY, FluidFaces.HighZ));
         }
 
-        static Vector3 Where(Vector3 place, FluidFaces faces, FluidFaces x, FluidFaces y, FluidFaces z) => new Vector3(
+        private static Vector3 Where(Vector3 place, FluidFaces faces, FluidFaces x, FluidFaces y, FluidFaces z) => new Vector3(
             (faces & x) != 0 ? place.x : FarAway, (faces & y) != 0 ? place.y : FarAway, (faces & z) != 0 ? place.z : FarAway);
     }
 }

@@ -3,7 +3,10 @@ using UnityEngine.Rendering;
 
 namespace SphFluid
 {
-    /// <summary>The names of Shaders/FluidBuffers.hlsl, and one of the three things that they are set in: a kernel's dispatch, a property block, a material.</summary>
+    /// <summary>
+    /// The names of Shaders/FluidBuffers.hlsl, and one of the three things that they are set in: a kernel's dispatch, a property block, a
+    /// material.
+    /// </summary>
     internal readonly struct FluidBinding
     {
         public static readonly int Particles = Shader.PropertyToID("_FluidParticles");
@@ -22,11 +25,11 @@ namespace SphFluid
         public static readonly int ToWorld = Shader.PropertyToID("_FluidSimulationToWorld");
         public static readonly int FromWorld = Shader.PropertyToID("_FluidWorldToSimulation");
 
-        readonly CommandBuffer commands;
-        readonly ComputeShader shader;
-        readonly int kernel;
-        readonly MaterialPropertyBlock properties;
-        readonly Material material;
+        private readonly CommandBuffer commands;
+        private readonly ComputeShader shader;
+        private readonly int kernel;
+        private readonly MaterialPropertyBlock properties;
+        private readonly Material material;
 
         public FluidBinding(CommandBuffer commands, ComputeShader shader, int kernel) : this()
         {

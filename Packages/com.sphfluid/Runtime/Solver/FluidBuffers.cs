@@ -5,15 +5,18 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>
-    /// A running liquid on the GPU, for your own kernels and shaders: its buffers, and what Shaders/FluidBuffers.hlsl reads. Read only: commands that are
-    /// submitted after the liquid's steps see it after them. Ask and bind again each frame, because a growing liquid replaces its buffers; the old ones
-    /// are kept for a few frames.
+    /// A running liquid on the GPU, for your own kernels and shaders: its buffers, and what Shaders/FluidBuffers.hlsl reads. Read only:
+    /// commands that are submitted after the liquid's steps see it after them. Ask and bind again each frame, because a growing liquid
+    /// replaces its buffers; the old ones are kept for a few frames.
     /// </summary>
     public readonly struct FluidBuffers
     {
-        readonly FluidSolver solver;
+        private readonly FluidSolver solver;
 
-        /// <summary>The buffers of a solver; before they are read, record <see cref="FluidSolver.RecordNeighbourSetup"/>. <see cref="FluidSimulation.TryGetBuffers"/> gives those of a simulation.</summary>
+        /// <summary>
+        /// The buffers of a solver; before they are read, record <see cref="FluidSolver.RecordNeighbourSetup"/>.
+        /// <see cref="FluidSimulation.TryGetBuffers"/> gives those of a simulation.
+        /// </summary>
         /// <param name="solver">The liquid.</param>
         /// <param name="localToWorld">Simulation space to world space, without a scale.</param>
         /// <exception cref="ArgumentNullException">There is no solver.</exception>
@@ -27,7 +30,10 @@ namespace SphFluid
         /// <summary>Whether the liquid still exists. A stopped or newly started one has released these; ask for others then.</summary>
         public bool IsValid => solver != null && !solver.IsDisposed;
 
-        /// <summary>Entries of <see cref="Particles"/> to look at, 1 or more: live particles come first, the rest are marked by <see cref="FluidParticle.Removed"/>.</summary>
+        /// <summary>
+        /// Entries of <see cref="Particles"/> to look at, 1 or more: live particles come first, the rest are marked by
+        /// <see cref="FluidParticle.Removed"/>.
+        /// </summary>
         /// <exception cref="InvalidOperationException">The liquid was stopped, or these are the buffers of none.</exception>
         public int ParticleCount => Solver.ParticleCount;
 
@@ -43,7 +49,9 @@ namespace SphFluid
         /// <exception cref="InvalidOperationException">The liquid was stopped, or these are the buffers of none.</exception>
         public GraphicsBuffer Pressures => Solver.Pressure;
 
-        /// <summary>First and end of each cell's particles in <see cref="Particles"/>, uint2 a cell of <see cref="Grid"/>; _FluidCells.</summary>
+        /// <summary>
+        /// First and end of each cell's particles in <see cref="Particles"/>, uint2 a cell of <see cref="Grid"/>; _FluidCells.
+        /// </summary>
         /// <exception cref="InvalidOperationException">The liquid was stopped, or these are the buffers of none.</exception>
         public GraphicsBuffer Cells => Solver.GridIndices;
 
@@ -58,12 +66,14 @@ namespace SphFluid
         /// <summary>Simulation space to world space, as of when the buffers were asked for.</summary>
         public Matrix4x4 LocalToWorld { get; }
 
-        FluidSolver Solver => IsValid ? solver : throw new InvalidOperationException(solver == null
+        private FluidSolver Solver => IsValid ? solver : throw new InvalidOperationException(solver == null
             ? "These are the buffers of no liquid. Take those that TryGetBuffers of a running Fluid Simulation gives."
-            : "The liquid of these buffers was stopped or started anew, which released them. Ask TryGetBuffers of the Fluid Simulation again, each frame.");
+            : "The liquid of these buffers was stopped or started anew, which released them. Ask TryGetBuffers of the Fluid Simulation " +
+                "again, each frame.");
 
         /// <summary>Records all that Shaders/FluidBuffers.hlsl names for the next dispatches of a kernel.</summary>
-        /// <param name="cmd">Command buffer to record into; execute it after the simulation's own, for example in <see cref="FluidSimulation.Updated"/>.</param>
+        /// <param name="cmd">Command buffer to record into; execute it after the simulation's own, for example in
+        /// <see cref="FluidSimulation.Updated"/>.</param>
         /// <param name="shader">The compute shader.</param>
         /// <param name="kernel">Index of the kernel, by ComputeShader.FindKernel.</param>
         /// <exception cref="ArgumentNullException">There is no command buffer or no shader.</exception>
@@ -79,9 +89,12 @@ namespace SphFluid
         /// <param name="properties">The property block.</param>
         /// <exception cref="ArgumentNullException">There is no property block.</exception>
         /// <exception cref="InvalidOperationException">The liquid was stopped, or these are the buffers of none.</exception>
-        public void Bind(MaterialPropertyBlock properties) => Bind(new FluidBinding(properties ?? throw new ArgumentNullException(nameof(properties))));
+        public void Bind(MaterialPropertyBlock properties) =>
+            Bind(new FluidBinding(properties ?? throw new ArgumentNullException(nameof(properties))));
 
-        /// <summary>Sets all that Shaders/FluidBuffers.hlsl names in a material. It holds them until others are set: set them each frame.</summary>
+        /// <summary>
+        /// Sets all that Shaders/FluidBuffers.hlsl names in a material. It holds them until others are set: set them each frame.
+        /// </summary>
         /// <param name="material">The material.</param>
         /// <exception cref="ArgumentNullException">There is no material.</exception>
         /// <exception cref="InvalidOperationException">The liquid was stopped, or these are the buffers of none.</exception>
@@ -91,7 +104,7 @@ namespace SphFluid
             Bind(new FluidBinding(material));
         }
 
-        void Bind(in FluidBinding to)
+        private void Bind(in FluidBinding to)
         {
             FluidSolver bound = Solver;
             FluidSolverSettings settings = bound.Settings;

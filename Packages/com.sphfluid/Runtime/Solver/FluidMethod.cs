@@ -5,7 +5,8 @@ namespace SphFluid
 {
     /// <summary>
     /// All that the rest of the package knows of a method: its constants by rule, its limits, its shaders, the profile's fields that it
-    /// reads, and what steps a liquid by it. A method is one folder with a class like this, and a line in <see cref="FluidMethods"/> or a call of its Register.
+    /// reads, and what steps a liquid by it. A method is one folder with a class like this, and a line in <see cref="FluidMethods"/> or a
+    /// call of its Register.
     /// </summary>
     internal abstract class FluidMethod
     {
@@ -48,13 +49,15 @@ namespace SphFluid
         /// <summary>Kinematic viscosity that acts, which long steps may make less than that of the settings [m²/s].</summary>
         /// <param name="settings">The liquid's constants.</param>
         /// <param name="timeStep">Length of a step [s].</param>
-        public virtual double ActingViscosity(in FluidSolverSettings settings, double timeStep) => settings.Viscosity / (double)settings.RestDensity;
+        public virtual double ActingViscosity(in FluidSolverSettings settings, double timeStep) =>
+            settings.Viscosity / (double)settings.RestDensity;
 
         /// <summary>What users are told of a liquid by this method, besides what holds for all methods: labels and values.</summary>
         /// <param name="settings">The liquid's constants.</param>
         /// <param name="timeStep">Length of a step [s].</param>
         /// <param name="speed">Speed of the fastest particle [m/s].</param>
-        public virtual IReadOnlyList<(string Label, string Value)> Remarks(in FluidSolverSettings settings, double timeStep, double speed) =>
+        public virtual IReadOnlyList<(string Label, string Value)> Remarks(in FluidSolverSettings settings, double timeStep,
+            double speed) =>
             Array.Empty<(string, string)>();
 
         /// <summary>What a frame asks for.</summary>
@@ -91,7 +94,10 @@ namespace SphFluid
         /// <exception cref="FluidDeviceException">The device cannot run a kernel or hold a buffer.</exception>
         public abstract IFluidStepper Start(in FluidSolverSettings settings, FluidShaderSet shaders, int particleCount);
 
-        /// <summary>Bytes of GPU memory that a started liquid takes, by the same buffers as <see cref="Start"/> makes and the first setup of neighbours; takes none.</summary>
+        /// <summary>
+        /// Bytes of GPU memory that a started liquid takes, by the same buffers as <see cref="Start"/> makes and the first setup of
+        /// neighbours; takes none.
+        /// </summary>
         /// <param name="settings">Constants that were checked and prepared.</param>
         /// <param name="particleCount">Number of particles.</param>
         /// <param name="hasBodies">Whether there are triangles in the domain.</param>
@@ -101,12 +107,14 @@ namespace SphFluid
         /// <summary>Grows when a change to the method changes what its steps cost: older measurements then count for nothing.</summary>
         public virtual int CostRevision => 1;
 
-        /// <summary>What a method computes besides where settings ask for it, in short, as far as it changes what a step costs; empty: nothing.</summary>
+        /// <summary>
+        /// What a method computes besides where settings ask for it, in short, as far as it changes what a step costs; empty: nothing.
+        /// </summary>
         public virtual string CostVariant(in FluidSolverSettings settings) => "";
 
         /// <summary>
-        /// Passes over every particle's neighbours in a usual step, its search counted as one: what kept costs are of, and what a step costs against another method's
-        /// where nothing is measured.
+        /// Passes over every particle's neighbours in a usual step, its search counted as one: what kept costs are of, and what a step
+        /// costs against another method's where nothing is measured.
         /// </summary>
         public abstract double PassesAStep { get; }
 
@@ -116,7 +124,10 @@ namespace SphFluid
         /// <param name="speed">Speed of the fastest particle [m/s].</param>
         public virtual double PassesOf(in FluidSolverSettings settings, double timeStep, double speed) => PassesAStep;
 
-        /// <summary>Features without which a liquid would be another, by the rules of this method: physics that act at its spacing and its viscosity.</summary>
+        /// <summary>
+        /// Features without which a liquid would be another, by the rules of this method: physics that act at its spacing and its
+        /// viscosity.
+        /// </summary>
         /// <param name="input">The liquid.</param>
         /// <exception cref="ArgumentException">An input is out of range.</exception>
         public virtual FluidMethodFeatures AskedBy(in FluidRuleInput input) => FluidMethodFeatures.None;
@@ -127,7 +138,10 @@ namespace SphFluid
         /// <summary>Names of the passes that those forces add.</summary>
         public virtual IEnumerable<string> ForcePasses => Array.Empty<string>();
 
-        /// <summary>The first of some features that <see cref="AskedBy"/> found and another method lacks, as the end of a sentence; null where this method knows none.</summary>
+        /// <summary>
+        /// The first of some features that <see cref="AskedBy"/> found and another method lacks, as the end of a sentence; null where this
+        /// method knows none.
+        /// </summary>
         /// <param name="missing">The features.</param>
         /// <param name="input">The liquid.</param>
         public virtual string Describe(FluidMethodFeatures missing, in FluidRuleInput input) => null;
@@ -135,7 +149,9 @@ namespace SphFluid
         /// <summary>Whether Automatic may pick it; then it makes <see cref="Offers"/>.</summary>
         public virtual bool MayBePicked => false;
 
-        /// <summary>The ways in which Automatic may compute a liquid by this method, the most faithful first; none where it never picks the method.</summary>
+        /// <summary>
+        /// The ways in which Automatic may compute a liquid by this method, the most faithful first; none where it never picks the method.
+        /// </summary>
         /// <param name="question">The liquid and the frame.</param>
         /// <exception cref="ArgumentException">An input is out of range.</exception>
         public virtual IReadOnlyList<MethodOffer> Offers(in MethodQuestion question) => Array.Empty<MethodOffer>();

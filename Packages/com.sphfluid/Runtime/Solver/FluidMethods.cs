@@ -4,8 +4,8 @@ using System.Collections.Generic;
 namespace SphFluid
 {
     /// <summary>
-    /// The list of methods: a new one is a value of <see cref="FluidMethodKind"/>, a line here and a folder of its own. One in an assembly of its own
-    /// registers itself, before the first scene is loaded and whenever the Editor loads it.
+    /// The list of methods: a new one is a value of <see cref="FluidMethodKind"/>, a line here and a folder of its own. One in an assembly
+    /// of its own registers itself, before the first scene is loaded and whenever the Editor loads it.
     /// </summary>
     internal static class FluidMethods
     {
@@ -63,9 +63,10 @@ namespace SphFluid
 
         /// <summary>A method.</summary>
         /// <exception cref="ArgumentException">There is none of that number.</exception>
-        public static FluidMethod Get(FluidMethodKind kind) => Find(kind) ?? throw new ArgumentException($"There is no fluid method {kind}.", nameof(kind));
+        public static FluidMethod Get(FluidMethodKind kind) => Find(kind) ??
+            throw new ArgumentException($"There is no fluid method {kind}.", nameof(kind));
 
-        static FluidMethod Find(FluidMethodKind kind)
+        private static FluidMethod Find(FluidMethodKind kind)
         {
             foreach (FluidMethod method in Methods)
             {

@@ -19,16 +19,17 @@ namespace SphFluid
     /// </example>
     public sealed class FluidObstacles : IDisposable
     {
-        readonly CollisionScene scene;
-        readonly CollisionBodies bodies; // null with methods that take triangles
-        readonly FluidSolverSettings settings;
-        readonly List<Entry> entries = new List<Entry>();
-        readonly List<FluidMessage> messages = new List<FluidMessage>();
-        List<ColliderState> states = new List<ColliderState>();
-        List<ColliderState> previous = new List<ColliderState>();
+        private readonly CollisionScene scene;
+        private readonly CollisionBodies bodies; // null with methods that take triangles
+        private readonly FluidSolverSettings settings;
+        private readonly List<Entry> entries = new List<Entry>();
+        private readonly List<FluidMessage> messages = new List<FluidMessage>();
+        private List<ColliderState> states = new List<ColliderState>();
+        private List<ColliderState> previous = new List<ColliderState>();
 
         /// <summary>No obstacles yet.</summary>
-        /// <param name="settings">The liquid's, as of <see cref="FluidSolver.Settings"/>: method, domain, spacing and support radius count.</param>
+        /// <param name="settings">The liquid's, as of <see cref="FluidSolver.Settings"/>: method, domain, spacing and support radius
+        /// count.</param>
         /// <exception cref="ArgumentException">A constant is out of range.</exception>
         public FluidObstacles(in FluidSolverSettings settings)
             : this(settings, new CollisionScene())
@@ -50,7 +51,9 @@ namespace SphFluid
         /// <summary>Why something was left out or could not be followed, as of the last update.</summary>
         public IReadOnlyList<FluidMessage> Messages => messages;
 
-        /// <summary>Times an obstacle moved or changed more than the liquid can follow since the start; it was put at its new place at once.</summary>
+        /// <summary>
+        /// Times an obstacle moved or changed more than the liquid can follow since the start; it was put at its new place at once.
+        /// </summary>
         public int Jumps => bodies?.Jumps ?? 0;
 
         /// <summary>Number of triangles that the solver tests against.</summary>
@@ -64,9 +67,13 @@ namespace SphFluid
         /// <summary>The obstacles for methods that prove motion free; null for other methods.</summary>
         internal CollisionBodies Bodies => bodies;
 
-        /// <summary>Adds a Mesh, Box, Sphere, Capsule, Terrain or Wheel Collider or a Character Controller, active or not; it is followed wherever it goes.</summary>
+        /// <summary>
+        /// Adds a Mesh, Box, Sphere, Capsule, Terrain or Wheel Collider or a Character Controller, active or not; it is followed wherever
+        /// it goes.
+        /// </summary>
         /// <param name="collider">The collider.</param>
-        /// <param name="friction">0 free slip to 1 no slip; null: as the domain's faces. Methods without friction of their own ignore it.</param>
+        /// <param name="friction">0 free slip to 1 no slip; null: as the domain's faces. Methods without friction of their own ignore
+        /// it.</param>
         /// <exception cref="ArgumentNullException">There is no collider.</exception>
         /// <exception cref="ArgumentOutOfRangeException">The friction is not between 0 and 1.</exception>
         public void Add(Collider collider, float? friction = null)
@@ -78,7 +85,8 @@ namespace SphFluid
         /// <summary>Adds a mesh.</summary>
         /// <param name="mesh">Its triangles, in a space of its own.</param>
         /// <param name="pose">That space to simulation space; scale and shear may differ from none.</param>
-        /// <param name="friction">0 free slip to 1 no slip; null: as the domain's faces. Methods without friction of their own ignore it.</param>
+        /// <param name="friction">0 free slip to 1 no slip; null: as the domain's faces. Methods without friction of their own ignore
+        /// it.</param>
         /// <returns>A number to call <see cref="MoveTo"/> with.</returns>
         /// <exception cref="ArgumentException">The mesh is missing or has no triangles, or a number of the pose is not finite.</exception>
         /// <exception cref="ArgumentOutOfRangeException">The friction is not between 0 and 1.</exception>
@@ -89,8 +97,12 @@ namespace SphFluid
             return entries.Count - 1;
         }
 
-        /// <summary>Adds a mesh that gravity and the liquid move, as a rigid body: it floats, sinks and is carried. Floating meshes do not touch each other.</summary>
-        /// <param name="mesh">Its triangles, in a space of its own: the origin is the centre of mass, the axes are the principal ones.</param>
+        /// <summary>
+        /// Adds a mesh that gravity and the liquid move, as a rigid body: it floats, sinks and is carried. Floating meshes do not touch
+        /// each other.
+        /// </summary>
+        /// <param name="mesh">Its triangles, in a space of its own: the origin is the centre of mass, the axes are the principal
+        /// ones.</param>
         /// <param name="centre">Centre of mass at the start [m], simulation space.</param>
         /// <param name="rotation">Principal axes to simulation space at the start.</param>
         /// <param name="mass">Mass [kg].</param>
@@ -98,16 +110,24 @@ namespace SphFluid
         /// <param name="friction">0 free slip to 1 no slip; null: as the domain's faces.</param>
         /// <returns>A number to call <see cref="Push"/> and <see cref="ReadPoseNow"/> with.</returns>
         /// <exception cref="NotSupportedException">The method moves no bodies.</exception>
-        /// <exception cref="ArgumentException">The mesh is missing or has no triangles, or its place has numbers that are not finite.</exception>
+        /// <exception cref="ArgumentException">The mesh is missing or has no triangles, or its place has numbers that are not
+        /// finite.</exception>
         /// <exception cref="ArgumentOutOfRangeException">Mass, inertia or friction are out of range.</exception>
         public int AddFloating(TriangleMesh mesh, Vector3 centre, Quaternion rotation, float mass, Vector3 inertia, float? friction = null)
         {
             if (bodies == null)
-                throw new NotSupportedException($"The method {settings.Method} moves no bodies. Use the method {FluidMethodKind.Standard}, or Add and MoveTo.");
+            {
+                throw new NotSupportedException(
+                    $"The method {settings.Method} moves no bodies. Use the method {FluidMethodKind.Standard}, or Add and MoveTo.");
+            }
             if (!(mass > 0f) || !AffineMath.IsFinite(mass))
+            {
                 throw new ArgumentOutOfRangeException(nameof(mass), mass, "The mass of a floating mesh is greater than 0 and finite [kg].");
+            }
             if (!(Mathf.Min(inertia.x, Mathf.Min(inertia.y, inertia.z)) >= 0f) || !AffineMath.IsFinite(inertia.sqrMagnitude))
+            {
                 throw new ArgumentOutOfRangeException(nameof(inertia), inertia, "Moments of inertia are 0 or greater, and finite [kg m²].");
+            }
             Require.Place(centre, rotation);
             int number = Add(mesh, Matrix4x4.TRS(centre, rotation, Vector3.one), friction);
             Float(number, new FloatingBody(new FloatingMass(mass, inertia, settings.Gravity), new FloatingPose(centre, rotation)));
@@ -120,7 +140,9 @@ namespace SphFluid
         /// <param name="angularVelocity">Added to the angular velocity [rad/s].</param>
         /// <exception cref="ArgumentException">A velocity is not finite, or no floating mesh has that number.</exception>
         public void Push(int mesh, Vector3 velocity, Vector3 angularVelocity) =>
-            FloatingOf(mesh).Push(Require.Finite(velocity, nameof(velocity)), Require.Finite(angularVelocity, nameof(angularVelocity)), Vector3.zero, Vector3.zero);
+            FloatingOf(mesh)
+                .Push(Require.Finite(velocity, nameof(velocity)), Require.Finite(angularVelocity, nameof(angularVelocity)), Vector3.zero,
+                    Vector3.zero);
 
         /// <summary>Where the recorded steps that were submitted leave a floating mesh; waits for the GPU.</summary>
         /// <param name="mesh">The number that <see cref="AddFloating"/> returned.</param>
@@ -131,7 +153,8 @@ namespace SphFluid
         {
             FloatingBody body = FloatingOf(mesh);
             // Before its first update the GPU knows nothing of it.
-            FloatingPose pose = bodies.Floating.NumberOf(body) > 0 && bodies.Floating.Frame > 0 ? bodies.Floating.ReadNow(body).Pose : body.Pose;
+            FloatingPose pose = bodies.Floating.NumberOf(body) > 0 && bodies.Floating.Frame > 0 ? bodies.Floating.ReadNow(body).Pose
+                : body.Pose;
             rotation = pose.Rotation;
             return pose.Centre;
         }
@@ -144,23 +167,31 @@ namespace SphFluid
         public void MoveTo(int mesh, in Matrix4x4 pose)
         {
             Entry entry = EntryOf(mesh);
-            if (entry.Body != null) throw new InvalidOperationException("The liquid moves this mesh. Call Push, or Add it instead of AddFloating.");
+            if (entry.Body != null)
+            {
+                throw new InvalidOperationException("The liquid moves this mesh. Call Push, or Add it instead of AddFloating.");
+            }
             Require.Finite(pose, nameof(pose));
             entry.Pose = pose;
         }
 
-        /// <summary>Gives a mesh other corners; <see cref="Update"/> takes them over, and the next steps take them there on straight lines.</summary>
+        /// <summary>
+        /// Gives a mesh other corners; <see cref="Update"/> takes them over, and the next steps take them there on straight lines.
+        /// </summary>
         /// <param name="mesh">The number that <see cref="Add(TriangleMesh, in Matrix4x4, float?)"/> returned.</param>
-        /// <param name="shape">The mesh now, from <see cref="TriangleMesh.Deformed"/>. One of other triangles is put in place at once.</param>
+        /// <param name="shape">The mesh now, from <see cref="TriangleMesh.Deformed"/>. One of other triangles is put in place at
+        /// once.</param>
         /// <exception cref="ArgumentOutOfRangeException">There is no such mesh.</exception>
         /// <exception cref="ArgumentException">The shape is missing or has no triangles.</exception>
         public void Reshape(int mesh, TriangleMesh shape) => EntryOf(mesh).Mesh = Checked(shape, nameof(shape));
 
         /// <summary>
         /// Lets a rectangle on which the liquid's force is summed go with a mesh within the steps of a frame. Keep both together:
-        /// call <see cref="WallForces.Move"/> when <see cref="MoveTo"/> is called. On a floating mesh it stays as placed on the mesh at its start.
+        /// call <see cref="WallForces.Move"/> when <see cref="MoveTo"/> is called. On a floating mesh it stays as placed on the mesh at its
+        /// start.
         /// </summary>
-        /// <param name="mesh">The number that <see cref="Add(TriangleMesh, in Matrix4x4, float?)"/> or <see cref="AddFloating"/> returned.</param>
+        /// <param name="mesh">The number that <see cref="Add(TriangleMesh, in Matrix4x4, float?)"/> or <see cref="AddFloating"/>
+        /// returned.</param>
         /// <param name="patch">The rectangle.</param>
         /// <exception cref="ArgumentOutOfRangeException">There is no such mesh.</exception>
         /// <exception cref="ArgumentNullException">There is no rectangle.</exception>
@@ -190,7 +221,10 @@ namespace SphFluid
             foreach (Entry entry in entries)
             {
                 if (entry.Mesh != null) states.Add(new ColliderState(entry, entry.Mesh, entry.Friction, entry.Pose).With(entry.Body));
-                else if (entry.Collider != null) states.Add(scene.States.Get(entry.Collider, null, entry.Friction, worldToSimulation, settings.DomainSize, settings.Spacing));
+                else if (entry.Collider !=
+                    null) states
+                        .Add(scene.States.Get(entry.Collider, null, entry.Friction, worldToSimulation, settings.DomainSize,
+                            settings.Spacing));
             }
 
             if (!IsSame())
@@ -232,7 +266,8 @@ namespace SphFluid
         internal void Check(in FluidSolverSettings liquid)
         {
             bool takesBodies = FluidMethods.Has(liquid.Method, FluidMethodFeatures.BodyContact);
-            if (takesBodies != (bodies != null) || liquid.DomainSize != settings.DomainSize || liquid.SupportRadius != settings.SupportRadius ||
+            if (takesBodies != (bodies != null) || liquid.DomainSize != settings.DomainSize ||
+                liquid.SupportRadius != settings.SupportRadius ||
                 liquid.Spacing != settings.Spacing || liquid.Boundaries.Periodic != settings.Boundaries.Periodic)
             {
                 throw new ArgumentException("The obstacles were made for a liquid of another method, domain, spacing or support radius. " +
@@ -240,7 +275,7 @@ namespace SphFluid
             }
         }
 
-        bool IsSame()
+        private bool IsSame()
         {
             if (states.Count != previous.Count) return false;
             for (int i = 0; i < states.Count; i++)
@@ -248,30 +283,36 @@ namespace SphFluid
             return true;
         }
 
-        FloatingBody FloatingOf(int mesh) => mesh >= 0 && mesh < entries.Count && entries[mesh].Body != null
+        private FloatingBody FloatingOf(int mesh) => mesh >= 0 && mesh < entries.Count && entries[mesh].Body != null
             ? entries[mesh].Body
-            : throw new ArgumentOutOfRangeException(nameof(mesh), mesh, "There is no floating mesh of that number. Use the one that AddFloating returned.");
+            : throw new ArgumentOutOfRangeException(nameof(mesh), mesh,
+                "There is no floating mesh of that number. Use the one that AddFloating returned.");
 
-        Entry EntryOf(int mesh)
+        private Entry EntryOf(int mesh)
         {
             if (mesh < 0 || mesh >= entries.Count || entries[mesh].Mesh == null)
-                throw new ArgumentOutOfRangeException(nameof(mesh), mesh, "There is no mesh of that number. Use the one that Add returned.");
+            {
+                throw new ArgumentOutOfRangeException(nameof(mesh), mesh,
+                    "There is no mesh of that number. Use the one that Add returned.");
+            }
             return entries[mesh];
         }
 
-        static TriangleMesh Checked(TriangleMesh mesh, string name) => mesh == null || mesh.TriangleCount == 0
+        private static TriangleMesh Checked(TriangleMesh mesh, string name) => mesh == null || mesh.TriangleCount == 0
             ? throw new ArgumentException("An obstacle needs a mesh of one triangle or more.", name)
             : mesh;
 
-        static float FrictionOf(float? friction)
+        private static float FrictionOf(float? friction)
         {
             if (friction is float given && !(given >= 0f && given <= 1f))
+            {
                 throw new ArgumentOutOfRangeException(nameof(friction), given, "Friction is between 0, free slip, and 1, no slip.");
+            }
             return friction ?? ColliderSettings.DomainFriction;
         }
 
         // Known by itself: a mesh may be added more than once.
-        sealed class Entry
+        private sealed class Entry
         {
             public Collider Collider;
             public TriangleMesh Mesh;

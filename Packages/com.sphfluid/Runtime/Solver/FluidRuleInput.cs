@@ -29,7 +29,10 @@ namespace SphFluid
         /// <summary>Largest initial speed [m/s].</summary>
         public float InitialSpeed;
 
-        /// <summary>√(2 a L) of what presses the liquid besides gravity, a vessel of the length L that is accelerated by a [m/s]; not with the thesis method.</summary>
+        /// <summary>
+        /// √(2 a L) of what presses the liquid besides gravity, a vessel of the length L that is accelerated by a [m/s]; not with the
+        /// thesis method.
+        /// </summary>
         public float LoadSpeed;
 
         /// <summary>Rest density ρ0 [kg/m³].</summary>
@@ -39,8 +42,8 @@ namespace SphFluid
         public float KinematicViscosity;
 
         /// <summary>
-        /// Surface tension σ [N/m]; 0: none. Acts with the method Standard, where the spacing is at most the capillary length √(σ/(ρ g)), with the Earth's gravity
-        /// or a stronger one of the liquid, or where <see cref="TensionAtAnySpacing"/> asks for it.
+        /// Surface tension σ [N/m]; 0: none. Acts with the method Standard, where the spacing is at most the capillary length √(σ/(ρ g)),
+        /// with the Earth's gravity or a stronger one of the liquid, or where <see cref="TensionAtAnySpacing"/> asks for it.
         /// </summary>
         public float SurfaceTension;
 

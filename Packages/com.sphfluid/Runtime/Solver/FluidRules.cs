@@ -31,16 +31,23 @@ namespace SphFluid
             return FluidMethods.Get(settings.Method).Advise(settings, maxSpeed);
         }
 
-        /// <summary>The speed of sound that a liquid has in steps of a length: less than that of its settings with the method Robust, whose iterations are few.</summary>
+        /// <summary>
+        /// The speed of sound that a liquid has in steps of a length: less than that of its settings with the method Robust, whose
+        /// iterations are few.
+        /// </summary>
         /// <param name="settings">Its constants.</param>
         /// <param name="timeStep">Length of a step [s].</param>
         /// <param name="maxSpeed">Its fastest speed [m/s].</param>
         /// <returns>Speed of sound c [m/s]; the liquid's weight compresses it by g D/c² at a depth D.</returns>
         /// <exception cref="ArgumentException">The step is not positive, or the speed is negative or not finite.</exception>
         public static double EffectiveSoundSpeed(in FluidSolverSettings settings, double timeStep, double maxSpeed) =>
-            FluidMethods.Get(settings.Method).EffectiveSoundSpeed(settings, Require.Positive(timeStep, nameof(timeStep)), Require.NotNegative(maxSpeed, nameof(maxSpeed)));
+            FluidMethods.Get(settings.Method)
+                .EffectiveSoundSpeed(settings, Require.Positive(timeStep, nameof(timeStep)),
+                    Require.NotNegative(maxSpeed, nameof(maxSpeed)));
 
-        /// <summary>The viscosity that acts in steps of a length: with the method Robust, which has no limit of its steps, no more than they hold.</summary>
+        /// <summary>
+        /// The viscosity that acts in steps of a length: with the method Robust, which has no limit of its steps, no more than they hold.
+        /// </summary>
         /// <param name="settings">Its constants.</param>
         /// <param name="timeStep">Length of a step [s].</param>
         /// <returns>Kinematic viscosity ν [m²/s].</returns>

@@ -16,23 +16,26 @@ namespace SphFluid
         /// <summary>Most steps of one recording.</summary>
         public const int MostSteps = 100_000;
 
-        readonly FluidMethod method;
-        readonly IFluidStepper stepper;
-        readonly FluidState state;
-        readonly CounterReadback counters;
-        readonly LoadedParticles particles;
-        readonly StepRecorder recorder;
-        readonly FluidShaderSet shaderSet;
-        float? flowSpeed, peakSpeed;
-        int obstacleChanges;
+        private readonly FluidMethod method;
+        private readonly IFluidStepper stepper;
+        private readonly FluidState state;
+        private readonly CounterReadback counters;
+        private readonly LoadedParticles particles;
+        private readonly StepRecorder recorder;
+        private readonly FluidShaderSet shaderSet;
+        private float? flowSpeed, peakSpeed;
+        private int obstacleChanges;
 
         /// <summary>Uploads the particles and prepares the method.</summary>
-        /// <param name="settings">The physics and its method; <see cref="FluidMethodKind.ThesisPrinted"/> sets its switches as printed.</param>
+        /// <param name="settings">The physics and its method; <see cref="FluidMethodKind.ThesisPrinted"/> sets its switches as
+        /// printed.</param>
         /// <param name="shaders">The compute shaders.</param>
-        /// <param name="initial">Particles at the start, inside the domain; one or more, or none where the method brings particles into a running liquid.</param>
+        /// <param name="initial">Particles at the start, inside the domain; one or more, or none where the method brings particles into a
+        /// running liquid.</param>
         /// <exception cref="ArgumentException">A constant or the particles cannot be computed with.</exception>
         /// <exception cref="FluidDeviceException">The device cannot run a kernel or hold a buffer.</exception>
-        public FluidSolver(in FluidSolverSettings settings, FluidShaderSet shaders, IReadOnlyList<FluidParticle> initial) : this(settings, shaders, initial, 0)
+        public FluidSolver(in FluidSolverSettings settings, FluidShaderSet shaders, IReadOnlyList<FluidParticle> initial)
+            : this(settings, shaders, initial, 0)
         {
         }
 
@@ -40,8 +43,12 @@ namespace SphFluid
         {
             method = FluidMethods.Get(settings.Method);
             method.Check(settings);
-            FluidParticle[] first = LoadedParticles.Check(settings, initial, !method.Has(FluidMethodFeatures.ChangingCount), nameof(initial));
-            if (shaders == null) throw new ArgumentException("No fluid shader set is given. Assign one in the fluid profile.", nameof(shaders));
+            FluidParticle[] first =
+                LoadedParticles.Check(settings, initial, !method.Has(FluidMethodFeatures.ChangingCount), nameof(initial));
+            if (shaders == null)
+            {
+                throw new ArgumentException("No fluid shader set is given. Assign one in the fluid profile.", nameof(shaders));
+            }
             shaderSet = shaders;
             stepper = method.Start(method.Prepare(settings), shaders, LoadedParticles.SlotsFor(method, first.Length, capacity));
             state = stepper.State;
@@ -55,8 +62,8 @@ namespace SphFluid
         public FluidMethodKind Kind => state.Settings.Method;
 
         /// <summary>
-        /// Particles of <see cref="Particles"/> to look at, 1 or more: live ones come first, and <see cref="FluidParticle.Removed"/> marks the rest. The
-        /// number of live ones where none was born and none left. Ask again after each recording.
+        /// Particles of <see cref="Particles"/> to look at, 1 or more: live ones come first, and <see cref="FluidParticle.Removed"/> marks
+        /// the rest. The number of live ones where none was born and none left. Ask again after each recording.
         /// </summary>
         public int ParticleCount => state.ParticleCount;
 
@@ -78,7 +85,10 @@ namespace SphFluid
         /// <summary>Whether the method keeps a list of each particle's neighbours from the density to the forces.</summary>
         public bool ListsNeighbours => state.ListsNeighbours;
 
-        /// <summary>FluidParticle a particle, in the order of the last neighbour setup, live ones first; see <see cref="ParticleCount"/>. Ask again after each recording: it may be another buffer.</summary>
+        /// <summary>
+        /// FluidParticle a particle, in the order of the last neighbour setup, live ones first; see <see cref="ParticleCount"/>. Ask again
+        /// after each recording: it may be another buffer.
+        /// </summary>
         public GraphicsBuffer Particles => state.Published.Particles;
 
         /// <summary>Density [kg/m³], float a particle, in the order of <see cref="Particles"/>, as of the last neighbour setup.</summary>
@@ -87,7 +97,9 @@ namespace SphFluid
         /// <summary>Pressure [Pa], float a particle, in the order of <see cref="Particles"/>, as of the last neighbour setup.</summary>
         public GraphicsBuffer Pressure => state.Published.Pressure;
 
-        /// <summary>First and end of each cell's particles in <see cref="Particles"/>, uint2 a cell, as of the last neighbour setup.</summary>
+        /// <summary>
+        /// First and end of each cell's particles in <see cref="Particles"/>, uint2 a cell, as of the last neighbour setup.
+        /// </summary>
         public GraphicsBuffer GridIndices => state.Published.GridIndices;
 
         /// <summary>Steps recorded since the start.</summary>
@@ -96,7 +108,10 @@ namespace SphFluid
         /// <summary>Time recorded since the start [s].</summary>
         public double SimulatedTime => recorder.SimulatedTime;
 
-        /// <summary>Changes with every step that is recorded and whenever particles or physics are set: while it stays, so does what a surface shows.</summary>
+        /// <summary>
+        /// Changes with every step that is recorded and whenever particles or physics are set: while it stays, so does what a surface
+        /// shows.
+        /// </summary>
         internal long StateVersion => StepCount + SettingsChanges + ParticleChanges;
 
         /// <summary>Whether the GPU memory is released.</summary>
@@ -107,7 +122,8 @@ namespace SphFluid
 
         /// <summary>
         /// Speed at which bodies of the liquid move [m/s], for methods whose neighbour setup serves several steps: the faster, the fewer.
-        /// By default the speed that the settings are made for; whoever measures it gives a speed of a fixed age, so that equal runs stay equal.
+        /// By default the speed that the settings are made for; whoever measures it gives a speed of a fixed age, so that equal runs stay
+        /// equal.
         /// </summary>
         public float FlowSpeed
         {
@@ -116,8 +132,8 @@ namespace SphFluid
         }
 
         /// <summary>
-        /// Speed of the fastest particle [m/s], for methods whose steps are the more thorough the farther it goes in one. By default the speed that the
-        /// settings are made for; whoever measures it gives a speed of a fixed age, so that equal runs stay equal.
+        /// Speed of the fastest particle [m/s], for methods whose steps are the more thorough the farther it goes in one. By default the
+        /// speed that the settings are made for; whoever measures it gives a speed of a fixed age, so that equal runs stay equal.
         /// </summary>
         public float PeakSpeed
         {
@@ -126,12 +142,14 @@ namespace SphFluid
         }
 
         /// <summary>
-        /// The longest step of late [s], for methods that are the softer the longer a step is: where steps vary they stay as soft as that one makes them, and what
-        /// rests goes on resting. 0, the default: each step decides alone.
+        /// The longest step of late [s], for methods that are the softer the longer a step is: where steps vary they stay as soft as that
+        /// one makes them, and what rests goes on resting. 0, the default: each step decides alone.
         /// </summary>
         internal float LongestStep { get; set; }
 
-        /// <summary>Neighbour setups recorded since the start: no more than one a step, and one for drawing that the next step uses.</summary>
+        /// <summary>
+        /// Neighbour setups recorded since the start: no more than one a step, and one for drawing that the next step uses.
+        /// </summary>
         public long SetupCount => recorder.SetupCount;
 
         /// <summary>Events counted on the GPU, as of the last finished read-back.</summary>
@@ -141,7 +159,8 @@ namespace SphFluid
         internal uint Squeezers => counters.Squeezers;
 
         /// <summary>Bytes of GPU memory that the solver holds.</summary>
-        public long GpuBytes => state.Bytes + (recorder.Exchange?.GpuBytes ?? 0) + (state.Zones?.GpuBytes ?? 0) + (state.WallForces?.GpuBytes ?? 0);
+        public long GpuBytes => state.Bytes + (recorder.Exchange?.GpuBytes ?? 0) + (state.Zones?.GpuBytes ?? 0) +
+            (state.WallForces?.GpuBytes ?? 0);
 
         /// <summary>Grows with each change of physics, obstacles or particles from outside the steps.</summary>
         internal int Changes => obstacleChanges + SettingsChanges + ParticleChanges;
@@ -167,31 +186,41 @@ namespace SphFluid
         /// <exception cref="InvalidOperationException">The method's number of particles is fixed.</exception>
         internal ParticleExchange Exchange => recorder.Exchange ??= stepper is IExchangingStepper exchanging
             ? new ParticleExchange(state, exchanging, particles.NextId)
-            : throw new InvalidOperationException($"The method {Kind} has a fixed number of particles: nothing is born or drained. Use the method Standard or Robust.");
+            : throw new InvalidOperationException(
+                $"The method {Kind} has a fixed number of particles: nothing is born or drained. Use the method Standard or Robust.");
 
         internal IFluidStepper Stepper => stepper;
 
         /// <summary>Whether the method sums the liquid's force on walls, so that <see cref="WallForces"/> can be asked for.</summary>
         public bool MeasuresWallForces => method.Has(FluidMethodFeatures.WallForces);
 
-        /// <summary>Why the device cannot sum the force on walls; null where it can. Where there are sums the device is not asked again.</summary>
+        /// <summary>
+        /// Why the device cannot sum the force on walls; null where it can. Where there are sums the device is not asked again.
+        /// </summary>
         internal string WallForcesShortfall => state.WallForces == null ? WallForces.Shortfall() : null;
 
         /// <summary>The force of the liquid on rectangles of its walls; costs nothing while there is none.</summary>
-        /// <exception cref="NotSupportedException">The method does not sum what walls do to the liquid: see <see cref="MeasuresWallForces"/>.</exception>
-        /// <exception cref="FluidDeviceException">The method does, and the device cannot: see <see cref="FluidSupport.WallForces"/>.</exception>
+        /// <exception cref="NotSupportedException">The method does not sum what walls do to the liquid: see
+        /// <see cref="MeasuresWallForces"/>.</exception>
+        /// <exception cref="FluidDeviceException">The method does, and the device cannot: see
+        /// <see cref="FluidSupport.WallForces"/>.</exception>
         public WallForces WallForces
         {
             get
             {
                 ThrowIfDisposed();
                 if (!MeasuresWallForces)
-                    throw new NotSupportedException($"The method {Kind} does not sum the force on walls. Use the method {FluidMethodKind.Standard}.");
+                {
+                    throw new NotSupportedException(
+                        $"The method {Kind} does not sum the force on walls. Use the method {FluidMethodKind.Standard}.");
+                }
                 return state.WallForces ??= WallForces.Start(shaderSet);
             }
         }
 
-        /// <summary>Gives the solver what the liquid collides with; the caller keeps it alive, updates it once a frame and disposes it.</summary>
+        /// <summary>
+        /// Gives the solver what the liquid collides with; the caller keeps it alive, updates it once a frame and disposes it.
+        /// </summary>
         /// <param name="obstacles">Obstacles made with this solver's <see cref="Settings"/>; null for none.</param>
         /// <exception cref="ArgumentException">They were made for another liquid.</exception>
         public void SetObstacles(FluidObstacles obstacles)
@@ -203,19 +232,27 @@ namespace SphFluid
             SetBodies(obstacles?.Bodies);
         }
 
-        /// <summary>Gives the solver the scene's bodies; the caller keeps them alive, updates them once a frame and disposes them. Methods with <see cref="FluidMethodFeatures.BodyContact"/> only.</summary>
+        /// <summary>
+        /// Gives the solver the scene's bodies; the caller keeps them alive, updates them once a frame and disposes them. Methods with
+        /// <see cref="FluidMethodFeatures.BodyContact"/> only.
+        /// </summary>
         internal void SetBodies(CollisionBodies bodies)
         {
             ThrowIfDisposed();
             if (bodies == state.Bodies) return;
             obstacleChanges++;
             if (bodies != null && !method.Has(FluidMethodFeatures.BodyContact))
-                throw new ArgumentException($"The method {Kind} takes triangles, not bodies. Give it the scene by SetObstacles.", nameof(bodies));
+            {
+                throw new ArgumentException($"The method {Kind} takes triangles, not bodies. Give it the scene by SetObstacles.",
+                    nameof(bodies));
+            }
             state.Bodies = bodies;
             recorder.Forget();
         }
 
-        /// <summary>Gives the solver force zones; the caller keeps them alive and disposes them. Methods without force zones leave them out.</summary>
+        /// <summary>
+        /// Gives the solver force zones; the caller keeps them alive and disposes them. Methods without force zones leave them out.
+        /// </summary>
         internal void SetZones(ForceZones zones)
         {
             ThrowIfDisposed();
@@ -223,13 +260,17 @@ namespace SphFluid
         }
 
         /// <summary>Changes the physics between steps.</summary>
-        /// <param name="settings">New constants; domain size, support radius, neighbour search and periodic axes must stay, the grid depends on them.</param>
+        /// <param name="settings">New constants; domain size, support radius, neighbour search and periodic axes must stay, the grid
+        /// depends on them.</param>
         /// <exception cref="ArgumentException">A constant is out of range, or the grid would change.</exception>
         public void ApplySettings(in FluidSolverSettings settings)
         {
             ThrowIfDisposed();
             if (settings.Method != Kind)
-                throw new ArgumentException($"The solver computes by {Kind}, and the settings are for {settings.Method}. Start a new solver for another method.");
+            {
+                throw new ArgumentException(
+                    $"The solver computes by {Kind}, and the settings are for {settings.Method}. Start a new solver for another method.");
+            }
             method.Check(settings);
             FluidSolverSettings prepared = method.Prepare(settings);
             FluidGrid.CheckKept(state.Settings, prepared);
@@ -254,9 +295,16 @@ namespace SphFluid
         public void RecordSteps(CommandBuffer cmd, int steps, float timeStep)
         {
             ThrowIfDisposed();
-            if (steps < 0 || steps > MostSteps) throw new ArgumentOutOfRangeException(nameof(steps), steps, $"The number of steps must be 0 to {MostSteps}. Record more with another call.");
+            if (steps < 0 || steps > MostSteps)
+            {
+                throw new ArgumentOutOfRangeException(nameof(steps), steps,
+                    $"The number of steps must be 0 to {MostSteps}. Record more with another call.");
+            }
             if (!(timeStep > 0f) || float.IsInfinity(timeStep))
-                throw new ArgumentOutOfRangeException(nameof(timeStep), timeStep, "The length of a step must be a positive number of seconds.");
+            {
+                throw new ArgumentOutOfRangeException(nameof(timeStep), timeStep,
+                    "The length of a step must be a positive number of seconds.");
+            }
             if (steps > 0) recorder.RecordSteps(cmd, steps, timeStep, FlowSpeed, PeakSpeed, LongestStep);
         }
 
@@ -272,14 +320,19 @@ namespace SphFluid
         }
 
         /// <summary>Puts other particles in the place of the present ones. What the GPU still has to do with those is done first.</summary>
-        /// <param name="particles">Inside the domain; those that are marked as removed are passed over. With a method of fixed number as many as there are.</param>
+        /// <param name="particles">Inside the domain; those that are marked as removed are passed over. With a method of fixed number as
+        /// many as there are.</param>
         /// <exception cref="ArgumentException">Their number differs, or one lies outside the domain.</exception>
         public void SetParticles(IReadOnlyList<FluidParticle> particles)
         {
             ThrowIfDisposed();
             if (particles == null || !Exchanges && particles.Count != ParticleCount)
-                throw new ArgumentException($"The solver holds {ParticleCount} particles, and {particles?.Count ?? 0} are given. Start a new solver for another number.",
+            {
+                throw new ArgumentException(
+                    $"The solver holds {ParticleCount} particles, and {particles?.Count ?? 0} are given. Start a new solver for another " +
+                    "number.",
                     nameof(particles));
+            }
             FluidParticle[] live = LoadedParticles.Check(state.Settings, particles, !Exchanges, nameof(particles));
             counters.ReadNow();
             recorder.Replace(live);
@@ -288,8 +341,8 @@ namespace SphFluid
         }
 
         /// <summary>
-        /// Puts other particles in the place of the present ones as a step that led to them would: what follows the liquid from frame to frame goes on, unless this is a jump.
-        /// Methods with <see cref="FluidMethodFeatures.ChangingCount"/> only.
+        /// Puts other particles in the place of the present ones as a step that led to them would: what follows the liquid from frame to
+        /// frame goes on, unless this is a jump. Methods with <see cref="FluidMethodFeatures.ChangingCount"/> only.
         /// </summary>
         /// <param name="shown">The particles, inside the domain; where there are none one that is marked as removed.</param>
         /// <param name="count">Number of them, no more than <see cref="Capacity"/>.</param>
@@ -345,7 +398,8 @@ namespace SphFluid
         /// <param name="settings">The physics.</param>
         /// <param name="initial">The particles.</param>
         /// <returns>A copy of them.</returns>
-        /// <exception cref="ArgumentException">A constant is out of range, there is no particle, or one lies outside the domain.</exception>
+        /// <exception cref="ArgumentException">A constant is out of range, there is no particle, or one lies outside the
+        /// domain.</exception>
         public static FluidParticle[] CheckParticles(in FluidSolverSettings settings, IReadOnlyList<FluidParticle> initial)
         {
             FluidMethods.Get(settings.Method).Check(settings);
@@ -364,10 +418,11 @@ namespace SphFluid
             stepper.Dispose();
         }
 
-        static float NotNegative(float value) =>
-            value >= 0f && value <= float.MaxValue ? value : throw new ArgumentOutOfRangeException(nameof(value), value, "The liquid's speed must be zero or more, and finite.");
+        private static float NotNegative(float value) =>
+            value >= 0f && value <= float.MaxValue ? value
+                : throw new ArgumentOutOfRangeException(nameof(value), value, "The liquid's speed must be zero or more, and finite.");
 
-        void ThrowIfDisposed()
+        private void ThrowIfDisposed()
         {
             if (IsDisposed) throw new ObjectDisposedException(nameof(FluidSolver));
         }

@@ -4,11 +4,13 @@ using UnityEngine.Rendering;
 
 namespace SphFluid
 {
-    /// <summary>What the passes of every method work on: settings, grid, published buffers, the scene's walls. A method adds its own.</summary>
+    /// <summary>
+    /// What the passes of every method work on: settings, grid, published buffers, the scene's walls. A method adds its own.
+    /// </summary>
     internal abstract class FluidState : IDisposable
     {
-        Vector3? bodyStep;
-        int bodyVersion;
+        private Vector3? bodyStep;
+        private int bodyVersion;
 
         /// <param name="settings">The physics.</param>
         /// <param name="particleCount">Slots for particles.</param>
@@ -64,7 +66,9 @@ namespace SphFluid
         /// <summary>Slots for particles.</summary>
         public int Capacity { get; protected set; }
 
-        /// <summary>Slots in use: live particles are the first of these, those that left may be among the last. Passes have a thread for each.</summary>
+        /// <summary>
+        /// Slots in use: live particles are the first of these, those that left may be among the last. Passes have a thread for each.
+        /// </summary>
         public int ParticleCount { get; set; }
 
         /// <summary>Particles in <see cref="Published"/> that the next load takes.</summary>

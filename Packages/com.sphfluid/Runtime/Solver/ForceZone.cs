@@ -14,7 +14,7 @@ namespace SphFluid
         /// <summary>Most zones of a liquid.</summary>
         public const int Most = 16;
 
-        Vector4 rowX, rowY, rowZ;
+        private Vector4 rowX, rowY, rowZ;
 
         /// <summary>Half extents of a box, and the radius that rounds it [m]: a sphere has no box, a capsule a line.</summary>
         public Vector4 Core;
@@ -31,7 +31,10 @@ namespace SphFluid
         /// <summary>A velocity [m/s], and the rate of drag towards it [1/s].</summary>
         public Vector4 Wind;
 
-        /// <summary>Of eddies: the largest acceleration along an axis [m/s²], 2π over their size [1/m], a phase that changes them, and over how much this zone comes to its full strength [m]; 0: as all zones do.</summary>
+        /// <summary>
+        /// Of eddies: the largest acceleration along an axis [m/s²], 2π over their size [1/m], a phase that changes them, and over how much
+        /// this zone comes to its full strength [m]; 0: as all zones do.
+        /// </summary>
         public Vector4 Eddies;
 
         /// <summary>Where the zone is.</summary>
@@ -44,8 +47,10 @@ namespace SphFluid
             Centre = new Vector4(position.x, position.y, position.z, Centre.w);
         }
 
-        public readonly bool Equals(ForceZone other) => rowX.Equals(other.rowX) && rowY.Equals(other.rowY) && rowZ.Equals(other.rowZ) && Core.Equals(other.Core) &&
-            Uniform.Equals(other.Uniform) && Centre.Equals(other.Centre) && Axis.Equals(other.Axis) && Wind.Equals(other.Wind) && Eddies.Equals(other.Eddies);
+        public readonly bool Equals(ForceZone other) => rowX.Equals(other.rowX) && rowY.Equals(other.rowY) && rowZ.Equals(other.rowZ) &&
+            Core.Equals(other.Core) &&
+            Uniform.Equals(other.Uniform) && Centre.Equals(other.Centre) && Axis.Equals(other.Axis) && Wind.Equals(other.Wind) &&
+            Eddies.Equals(other.Eddies);
 
         public readonly override bool Equals(object obj) => obj is ForceZone other && Equals(other);
 

@@ -8,13 +8,13 @@ namespace SphFluid
     /// <summary>The force zones of a liquid on the GPU; no buffer until there is one.</summary>
     internal sealed class ForceZones : IDisposable
     {
-        const string Keyword = "FLUID_ZONES";
+        private const string Keyword = "FLUID_ZONES";
 
-        static readonly int ZonesId = Shader.PropertyToID("_Zones");
-        static readonly int EdgeId = Shader.PropertyToID("_ZoneEdge");
+        private static readonly int ZonesId = Shader.PropertyToID("_Zones");
+        private static readonly int EdgeId = Shader.PropertyToID("_ZoneEdge");
 
-        readonly ForceZone[] zones = new ForceZone[ForceZone.Most];
-        GraphicsBuffer buffer;
+        private readonly ForceZone[] zones = new ForceZone[ForceZone.Most];
+        private GraphicsBuffer buffer;
 
         /// <summary>Number of zones.</summary>
         public int Count { get; private set; }
@@ -27,7 +27,10 @@ namespace SphFluid
         /// <exception cref="ArgumentException">There are more than <see cref="ForceZone.Most"/>.</exception>
         public bool SetZones(IReadOnlyList<ForceZone> now)
         {
-            if (now.Count > ForceZone.Most) throw new ArgumentException($"A liquid has at most {ForceZone.Most} force zones, and {now.Count} are given.", nameof(now));
+            if (now.Count > ForceZone.Most)
+            {
+                throw new ArgumentException($"A liquid has at most {ForceZone.Most} force zones, and {now.Count} are given.", nameof(now));
+            }
             bool changed = Count != now.Count;
             for (int i = 0; i < now.Count; i++)
             {

@@ -3,17 +3,17 @@ using System;
 namespace SphFluid
 {
     /// <summary>
-    /// Cuts each frame into the same number of equal steps, however long it is: liquid by a fixed number of iterations keeps real time. A frame
-    /// so long that its steps would be longer than allowed has more of them; what is beyond the most is dropped and reported.
-    /// It remembers the longest step of late: liquid that is as stiff as that one allows does not notice that frames vary.
+    /// Cuts each frame into the same number of equal steps, however long it is: liquid by a fixed number of iterations keeps real time. A
+    /// frame so long that its steps would be longer than allowed has more of them; what is beyond the most is dropped and reported. It
+    /// remembers the longest step of late: liquid that is as stiff as that one allows does not notice that frames vary.
     /// </summary>
     internal sealed class FrameClock : IStepClock
     {
         // What was long is forgotten by 1 % a frame, so slowly that liquid at rest follows.
-        const double Forgetting = 0.99;
+        private const double Forgetting = 0.99;
 
-        readonly int substeps;
-        readonly double longest;
+        private readonly int substeps;
+        private readonly double longest;
 
         /// <summary>Creates a clock.</summary>
         /// <param name="substeps">Steps of a frame, one or more.</param>
@@ -48,13 +48,16 @@ namespace SphFluid
         /// <param name="frameTime">Its time [s].</param>
         /// <param name="substeps">Steps that it is cut into where these are not too long.</param>
         /// <param name="longestStep">Longest step [s].</param>
-        public static int StepsOf(double frameTime, int substeps, double longestStep) => Math.Max(substeps, FrameWork.StepsOf(frameTime, longestStep));
+        public static int StepsOf(double frameTime, int substeps, double longestStep) =>
+            Math.Max(substeps, FrameWork.StepsOf(frameTime, longestStep));
 
         /// <inheritdoc/>
         public int Advance(double deltaTime)
         {
             if (!(deltaTime >= 0.0) || double.IsInfinity(deltaTime))
+            {
                 throw new ArgumentOutOfRangeException(nameof(deltaTime), deltaTime, "Frame time must be zero or more.");
+            }
             LastDroppedTime = 0.0;
             if (deltaTime == 0.0) return 0;
             int needed = StepsOf(deltaTime, substeps, longest), steps = Math.Min(needed, MaxSteps);
@@ -65,15 +68,18 @@ namespace SphFluid
         }
 
         /// <summary>Whether another clock cuts frames in the same way.</summary>
-        public bool IsLike(FrameClock other) => other != null && other.substeps == substeps && other.longest == longest && other.MaxSteps == MaxSteps;
+        public bool IsLike(FrameClock other) => other != null && other.substeps == substeps && other.longest == longest &&
+            other.MaxSteps == MaxSteps;
 
         /// <inheritdoc/>
         public void StepOnce() => LastDroppedTime = 0.0;
 
-        static void RequirePositive(double value, string name)
+        private static void RequirePositive(double value, string name)
         {
             if (!(value > 0.0) || double.IsInfinity(value))
+            {
                 throw new ArgumentOutOfRangeException(name, value, "The time step must be a positive number of seconds.");
+            }
         }
     }
 }

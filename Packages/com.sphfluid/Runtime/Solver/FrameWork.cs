@@ -2,7 +2,9 @@ using System;
 
 namespace SphFluid
 {
-    /// <summary>What a frame of a liquid needs, in numbers that are the same on every device; what a pass and a sort cost there is measured.</summary>
+    /// <summary>
+    /// What a frame of a liquid needs, in numbers that are the same on every device; what a pass and a sort cost there is measured.
+    /// </summary>
     internal readonly struct FrameWork
     {
         /// <summary>The work of a frame.</summary>
@@ -34,6 +36,7 @@ namespace SphFluid
         public double Passes => Steps * PassesPerStep + MorePasses;
 
         /// <summary>Steps of at most a length that fill a frame.</summary>
-        public static int StepsOf(double frameTime, double step) => (int)Math.Min(int.MaxValue, Math.Max(1.0, Math.Ceiling(frameTime / step - 1e-6)));
+        public static int StepsOf(double frameTime, double step) =>
+            (int)Math.Min(int.MaxValue, Math.Max(1.0, Math.Ceiling(frameTime / step - 1e-6)));
     }
 }

@@ -3,24 +3,27 @@ using UnityEngine.Rendering;
 
 namespace SphFluid
 {
-    /// <summary>How kernels of any kind find neighbours in the published particles: the globals of Shaders/Solver/FluidGrid.hlsl and GridNeighbours.hlsl.</summary>
+    /// <summary>
+    /// How kernels of any kind find neighbours in the published particles: the globals of Shaders/Solver/FluidGrid.hlsl and
+    /// GridNeighbours.hlsl.
+    /// </summary>
     internal static class GridNeighbours
     {
-        static readonly int GridOrigin = Shader.PropertyToID("_GridOrigin");
-        static readonly int CellSize = Shader.PropertyToID("_CellSize");
-        static readonly int GridCounts = Shader.PropertyToID("_GridCounts");
-        static readonly int SmoothLengthSquared = Shader.PropertyToID("_SmoothLengthSquared");
-        static readonly int DensityCoefficient = Shader.PropertyToID("_DensityCoefficient");
+        private static readonly int GridOrigin = Shader.PropertyToID("_GridOrigin");
+        private static readonly int CellSize = Shader.PropertyToID("_CellSize");
+        private static readonly int GridCounts = Shader.PropertyToID("_GridCounts");
+        private static readonly int SmoothLengthSquared = Shader.PropertyToID("_SmoothLengthSquared");
+        private static readonly int DensityCoefficient = Shader.PropertyToID("_DensityCoefficient");
 
-        static readonly int ListLength = Shader.PropertyToID("_ListLength");
-        static readonly int Neighbours = Shader.PropertyToID("_Neighbours");
-        static readonly int NeighbourCounts = Shader.PropertyToID("_NeighbourCounts");
+        private static readonly int ListLength = Shader.PropertyToID("_ListLength");
+        private static readonly int Neighbours = Shader.PropertyToID("_Neighbours");
+        private static readonly int NeighbourCounts = Shader.PropertyToID("_NeighbourCounts");
 
         // Shaders/Solver/GridNeighbours.hlsl has both searches.
-        static readonly int CellsOfSmoothLength = Shader.PropertyToID("_CellsOfH");
+        private static readonly int CellsOfSmoothLength = Shader.PropertyToID("_CellsOfH");
 
         // Copied when recorded, so one array serves; command buffers are recorded on the main thread.
-        [OutlivesPlay("it is filled anew for each use")] static readonly int[] Counts = new int[3];
+        [OutlivesPlay("it is filled anew for each use")] private static readonly int[] Counts = new int[3];
 
         public static void SetGrid(CommandBuffer cmd, ComputeKernel kernel, in FluidGrid grid)
         {

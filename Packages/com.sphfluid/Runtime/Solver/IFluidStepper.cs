@@ -35,7 +35,9 @@ namespace SphFluid
         /// <param name="step">Length of this step and of the one before.</param>
         void RecordMotion(CommandBuffer cmd, in FluidStep step);
 
-        /// <summary>Records what brings <see cref="FluidState.Published"/> up to the last neighbour setup, for drawing and measuring.</summary>
+        /// <summary>
+        /// Records what brings <see cref="FluidState.Published"/> up to the last neighbour setup, for drawing and measuring.
+        /// </summary>
         /// <param name="cmd">Command buffer to record into.</param>
         void RecordPublish(CommandBuffer cmd);
     }

@@ -17,7 +17,9 @@ namespace SphFluid
         /// <returns>Steps to take now.</returns>
         int Advance(double deltaTime);
 
-        /// <summary>Takes one step outside the frames' time: <see cref="TimeStep"/> is its length, and time that waits for a step waits on.</summary>
+        /// <summary>
+        /// Takes one step outside the frames' time: <see cref="TimeStep"/> is its length, and time that waits for a step waits on.
+        /// </summary>
         void StepOnce();
     }
 }

@@ -8,12 +8,12 @@ namespace SphFluid
     /// <summary>The particles that a solver was given, and how many of those since counted by the GPU live.</summary>
     internal sealed class LoadedParticles
     {
-        static readonly FluidParticle[] NoParticle = { new FluidParticle { Removed = 1f } };
+        private static readonly FluidParticle[] NoParticle = { new FluidParticle { Removed = 1f } };
 
-        readonly IFluidStepper stepper;
-        readonly FluidState state;
-        readonly CounterReadback counters;
-        long loaded, bornBefore, removedBefore;
+        private readonly IFluidStepper stepper;
+        private readonly FluidState state;
+        private readonly CounterReadback counters;
+        private long loaded, bornBefore, removedBefore;
 
         /// <param name="stepper">What steps them.</param>
         /// <param name="counters">What the GPU has counted.</param>
@@ -37,7 +37,8 @@ namespace SphFluid
         /// <param name="name">Name of the caller's argument.</param>
         /// <returns>A copy of them; without those that are marked as removed where the number may change.</returns>
         /// <exception cref="ArgumentException">There is no particle, or one lies outside the domain.</exception>
-        public static FluidParticle[] Check(in FluidSolverSettings settings, IReadOnlyList<FluidParticle> initial, bool isFixed, string name)
+        public static FluidParticle[] Check(in FluidSolverSettings settings, IReadOnlyList<FluidParticle> initial, bool isFixed,
+            string name)
         {
             if (initial == null || isFixed && initial.Count == 0) throw new ArgumentException("A fluid needs one particle or more.", name);
             var particles = new FluidParticle[initial.Count];
@@ -52,7 +53,8 @@ namespace SphFluid
             if (outside > 0)
             {
                 throw new ArgumentException(
-                    $"{outside} of {particles.Length} particles lie outside the domain of {settings.DomainSize} m. Move the liquid or enlarge the domain.",
+                    $"{outside} of {particles.Length} particles lie outside the domain of {settings.DomainSize} m. Move the liquid or " +
+                    "enlarge the domain.",
                     name);
             }
 
@@ -92,7 +94,12 @@ namespace SphFluid
         public void Show(NativeArray<FluidParticle> shown, int count)
         {
             GraphicsBuffer published = state.Published.Particles;
-            if (count > state.Capacity) throw new ArgumentException($"A frame of the playback has {count} particles, more than the {state.Capacity} that its MostParticles gave at the start.");
+            if (count > state.Capacity)
+            {
+                throw new ArgumentException(
+                    $"A frame of the playback has {count} particles, more than the {state.Capacity} that its MostParticles gave at the " +
+                    "start.");
+            }
             if (count > 0) published.SetData(shown, 0, 0, count);
             else published.SetData(NoParticle);
             state.LoadedCount = count;
@@ -100,7 +107,9 @@ namespace SphFluid
             loaded = count;
         }
 
-        /// <summary>Lowers the number of slots in use to what the GPU's counts leave possible, and frees what nothing uses any more.</summary>
+        /// <summary>
+        /// Lowers the number of slots in use to what the GPU's counts leave possible, and frees what nothing uses any more.
+        /// </summary>
         /// <param name="exchange">What comes and goes; null: nothing.</param>
         public void Bound(ParticleExchange exchange)
         {

@@ -25,7 +25,9 @@ namespace SphFluid
         /// <summary>Speed of sound over the fastest speed: the profile's, or less of it.</summary>
         public float SoundSpeedRatio;
 
-        /// <summary>Steps of every frame where the method has a fixed number of them; 0 where the number follows from their length.</summary>
+        /// <summary>
+        /// Steps of every frame where the method has a fixed number of them; 0 where the number follows from their length.
+        /// </summary>
         public int Substeps;
 
         /// <summary>Passes of its steps over those of a usual step of the method: what they cost more.</summary>

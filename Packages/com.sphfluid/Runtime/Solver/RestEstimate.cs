@@ -8,8 +8,8 @@ namespace SphFluid
     /// </summary>
     internal sealed class RestEstimate
     {
-        readonly double crossing, settle, flow;
-        double windowStart, windowLog = double.NaN, rate = double.NaN;
+        private readonly double crossing, settle, flow;
+        private double windowStart, windowLog = double.NaN, rate = double.NaN;
 
         /// <param name="crossing">Time that sound takes through the liquid [s].</param>
         /// <param name="settle">Longest time of settling [s].</param>
@@ -42,9 +42,9 @@ namespace SphFluid
             return FlowAndSettle(time);
         }
 
-        double FlowAndSettle(double time) => Math.Max(0.0, flow - time) + 0.5 * settle;
+        private double FlowAndSettle(double time) => Math.Max(0.0, flow - time) + 0.5 * settle;
 
-        void AddSample(double time, double log)
+        private void AddSample(double time, double log)
         {
             if (double.IsNaN(windowLog) || time < windowStart)
             {

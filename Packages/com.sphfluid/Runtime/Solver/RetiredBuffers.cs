@@ -3,11 +3,14 @@ using System.Collections.Generic;
 
 namespace SphFluid
 {
-    /// <summary>Buffers that were replaced and that recorded command buffers may still use: they go when the GPU has done what was recorded with them.</summary>
+    /// <summary>
+    /// Buffers that were replaced and that recorded command buffers may still use: they go when the GPU has done what was recorded with
+    /// them.
+    /// </summary>
     internal sealed class RetiredBuffers : IDisposable
     {
-        readonly Queue<(IDisposable buffer, long frame)> waiting = new Queue<(IDisposable, long)>();
-        long frame;
+        private readonly Queue<(IDisposable buffer, long frame)> waiting = new Queue<(IDisposable, long)>();
+        private long frame;
 
         /// <summary>Takes a buffer.</summary>
         public void Add(IDisposable buffer) => waiting.Enqueue((buffer, frame));

@@ -6,7 +6,7 @@ namespace SphFluid
     /// </summary>
     internal readonly struct StepBlocks
     {
-        readonly int steps, blocks;
+        private readonly int steps, blocks;
 
         /// <param name="steps">Number of steps, 1 or more.</param>
         /// <param name="most">Most steps of a block, 1 or more.</param>
@@ -22,6 +22,6 @@ namespace SphFluid
         /// <summary>Whether a step is the last of its block; the last of all is.</summary>
         public bool IsLast(int step) => Block(step + 1) != Block(step);
 
-        int Block(int step) => (int)((long)step * blocks / steps);
+        private int Block(int step) => (int)((long)step * blocks / steps);
     }
 }

@@ -9,9 +9,9 @@ namespace SphFluid
     internal sealed class StepClock : IStepClock
     {
         // A frame of exactly n steps must give n, however its sum of floats was rounded.
-        const double RoundingSlack = 1e-6;
+        private const double RoundingSlack = 1e-6;
 
-        double pending;
+        private double pending;
 
         /// <summary>Creates a clock at time zero.</summary>
         /// <param name="timeStep">Length of a step [s], positive.</param>

@@ -5,17 +5,17 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>
-    /// The order of a liquid's steps: when its particles are loaded, when neighbours are found anew, and what comes before and after each motion. Counts how far
-    /// it has come.
+    /// The order of a liquid's steps: when its particles are loaded, when neighbours are found anew, and what comes before and after each
+    /// motion. Counts how far it has come.
     /// </summary>
     internal sealed class StepRecorder
     {
-        readonly IFluidStepper stepper;
-        readonly FluidState state;
-        readonly CounterReadback counters;
-        readonly LoadedParticles particles;
-        FluidObstacles obstacles;
-        bool isLoaded, neighboursFresh, isPublished;
+        private readonly IFluidStepper stepper;
+        private readonly FluidState state;
+        private readonly CounterReadback counters;
+        private readonly LoadedParticles particles;
+        private FluidObstacles obstacles;
+        private bool isLoaded, neighboursFresh, isPublished;
 
         /// <param name="stepper">What steps the liquid.</param>
         /// <param name="counters">What the GPU counts.</param>
@@ -70,7 +70,10 @@ namespace SphFluid
             isLoaded = neighboursFresh = false;
         }
 
-        /// <summary>Shows other particles in the place of the present ones, with the walls where they are now. Velocities are of the same time as positions.</summary>
+        /// <summary>
+        /// Shows other particles in the place of the present ones, with the walls where they are now. Velocities are of the same time as
+        /// positions.
+        /// </summary>
         /// <param name="shown">The particles.</param>
         /// <param name="count">Number of them.</param>
         /// <param name="time">Time of the liquid [s].</param>
@@ -89,7 +92,8 @@ namespace SphFluid
         {
             counters.Continue(progress.Counters);
             Replace(live);
-            (StepCount, SimulatedTime, PreviousStep, particles.NextId) = (progress.StepCount, progress.SimulatedTime, progress.PreviousStep, progress.NextId);
+            (StepCount, SimulatedTime, PreviousStep, particles.NextId) =
+                (progress.StepCount, progress.SimulatedTime, progress.PreviousStep, progress.NextId);
         }
 
         /// <summary>Records steps, and a read-back of the counters.</summary>
@@ -121,7 +125,9 @@ namespace SphFluid
             state.Retired.EndFrame();
         }
 
-        /// <summary>Records what brings neighbours, densities and what readers see up to the present positions; the next step uses it.</summary>
+        /// <summary>
+        /// Records what brings neighbours, densities and what readers see up to the present positions; the next step uses it.
+        /// </summary>
         public void RecordNeighbourSetup(CommandBuffer cmd)
         {
             RecordSetup(cmd);
@@ -131,7 +137,7 @@ namespace SphFluid
         }
 
         // A step that keeps the order leaves births and drains to the last of its block.
-        void RecordStep(CommandBuffer cmd, float timeStep, bool keeps)
+        private void RecordStep(CommandBuffer cmd, float timeStep, bool keeps)
         {
             if (!keeps) Exchange?.RecordLeaving(cmd, SimulatedTime + timeStep, timeStep);
             var step = new FluidStep(timeStep, StepCount == 0 ? timeStep : PreviousStep, StepCount == 0, keeps);
@@ -145,9 +151,12 @@ namespace SphFluid
             SimulatedTime += timeStep;
         }
 
-        void RecordSetup(CommandBuffer cmd)
+        private void RecordSetup(CommandBuffer cmd)
         {
-            if (obstacles != null) state.SetTriangles(obstacles.Scene.TriangleBuffer, obstacles.Scene.ColliderBuffer, obstacles.Scene.Colliders.Count);
+            if (obstacles != null)
+            {
+                state.SetTriangles(obstacles.Scene.TriangleBuffer, obstacles.Scene.ColliderBuffer, obstacles.Scene.Colliders.Count);
+            }
             if (!isLoaded) stepper.RecordLoad(cmd);
             isLoaded = true;
             if (neighboursFresh) return;

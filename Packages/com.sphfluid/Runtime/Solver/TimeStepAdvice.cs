@@ -25,7 +25,9 @@ namespace SphFluid
     /// </summary>
     public readonly struct TimeStepAdvice
     {
-        /// <summary>Displacement of a particle in a step over the spacing that is advised: it comes near each wall before it is through.</summary>
+        /// <summary>
+        /// Displacement of a particle in a step over the spacing that is advised: it comes near each wall before it is through.
+        /// </summary>
         public const double SpeedLimit = 0.4;
 
         /// <summary>Largest stable step by the speed of sound [s]; infinite where it does not act.</summary>
@@ -40,7 +42,9 @@ namespace SphFluid
         /// <summary>Largest stable step by the stiffness of walls [s]; infinite where it does not act.</summary>
         public readonly double Walls;
 
-        /// <summary>Largest step in which the iterations of a method carry the liquid's weight [s]; infinite where it does not act.</summary>
+        /// <summary>
+        /// Largest step in which the iterations of a method carry the liquid's weight [s]; infinite where it does not act.
+        /// </summary>
         public readonly double Weight;
 
         /// <summary>Largest stable step by surface tension [s]; infinite without any.</summary>
@@ -58,11 +62,14 @@ namespace SphFluid
         /// <summary>The kinematic viscosity that the limits are of [m²/s].</summary>
         public readonly double KinematicViscosity;
 
-        /// <summary>Whether viscosity is solved for, so that <see cref="Viscosity"/> is no limit of stability but of the work that is allowed.</summary>
+        /// <summary>
+        /// Whether viscosity is solved for, so that <see cref="Viscosity"/> is no limit of stability but of the work that is allowed.
+        /// </summary>
         public readonly bool ViscosityIsImplicit;
 
         /// <summary>The limits of a liquid, each the largest step that it allows [s].</summary>
-        internal TimeStepAdvice(double acoustic, double speedStep, double viscous, double viscousBorder, double walls, double sound, double maxSpeed, double kinematic,
+        internal TimeStepAdvice(double acoustic, double speedStep, double viscous, double viscousBorder, double walls, double sound,
+            double maxSpeed, double kinematic,
             bool isImplicit = false, double weight = double.PositiveInfinity, double capillary = double.PositiveInfinity)
         {
             Acoustic = acoustic;
@@ -79,14 +86,16 @@ namespace SphFluid
         }
 
         /// <summary>The step in which a particle moves by <see cref="SpeedLimit"/> spacings [s]; infinite at rest.</summary>
-        internal static double SpeedStep(double spacing, double speed) => speed > 0.0 ? SpeedLimit * spacing / speed : double.PositiveInfinity;
+        internal static double SpeedStep(double spacing, double speed) => speed > 0.0 ? SpeedLimit * spacing / speed
+            : double.PositiveInfinity;
 
         /// <summary>The step of ν dt/R² = <paramref name="limit"/> [s]; infinite without viscosity.</summary>
         internal static double ViscousStep(double limit, double radius, double kinematic) =>
             kinematic > 0.0 ? limit * radius * radius / kinematic : double.PositiveInfinity;
 
         /// <summary>The smallest of the limits [s].</summary>
-        public double Largest => Math.Min(Math.Min(Math.Min(Acoustic, Speed), Math.Min(Viscosity, Walls)), Math.Min(Weight, SurfaceTension));
+        public double Largest =>
+            Math.Min(Math.Min(Math.Min(Acoustic, Speed), Math.Min(Viscosity, Walls)), Math.Min(Weight, SurfaceTension));
 
         /// <summary>The limit that is the smallest.</summary>
         public TimeStepLimit Limit
@@ -120,16 +129,18 @@ namespace SphFluid
         /// <summary>The step to take: a fraction of the acoustic limit, and no more than the others, which have their margin.</summary>
         /// <param name="fraction">Of the acoustic limit; 0.75 by default in a profile.</param>
         /// <returns>Its length [s].</returns>
-        public double Step(double fraction) => Math.Min(Math.Min(Math.Min(fraction * Acoustic, Speed), Math.Min(Viscosity, Walls)), Math.Min(Weight, SurfaceTension));
+        public double Step(double fraction) =>
+            Math.Min(Math.Min(Math.Min(fraction * Acoustic, Speed), Math.Min(Viscosity, Walls)), Math.Min(Weight, SurfaceTension));
 
         /// <summary>What limits the step and what would lengthen it, as a sentence.</summary>
         /// <param name="timeStep">The step in use [s].</param>
         /// <returns>The sentence, with figures.</returns>
         public string Explain(double timeStep) => double.IsInfinity(Largest)
             ? $"Nothing limits the time step of {Milliseconds(timeStep)}."
-            : FormattableString.Invariant($"The time step of {Milliseconds(timeStep)} is {100.0 * timeStep / Largest:0} % of the largest stable one, {Milliseconds(Largest)}, which {Cause}; {Cure}.{Implicit}");
+            : FormattableString.Invariant($"The time step of {Milliseconds(timeStep)} is {100.0 * timeStep / Largest:0} % of the ") +
+                FormattableString.Invariant($"largest stable one, {Milliseconds(Largest)}, which {Cause}; {Cure}.{Implicit}");
 
-        string Implicit => ViscosityIsImplicit && Limit != TimeStepLimit.Viscosity
+        private string Implicit => ViscosityIsImplicit && Limit != TimeStepLimit.Viscosity
             ? FormattableString.Invariant($" The kinematic viscosity ({KinematicViscosity:G3} m²/s) is implicit and sets no limit.")
             : "";
 
@@ -143,7 +154,8 @@ namespace SphFluid
                     case TimeStepLimit.Acoustic:
                         return FormattableString.Invariant($"the speed of sound ({SoundSpeed:G3} m/s, liquid at {MaxSpeed:G3} m/s) sets");
                     case TimeStepLimit.Speed:
-                        return FormattableString.Invariant($"the fastest particle ({MaxSpeed:G3} m/s) sets at {SpeedLimit} spacings a step");
+                        return FormattableString.Invariant($"the fastest particle ({MaxSpeed:G3} m/s) sets at {SpeedLimit} spacings a ") +
+                            "step";
                     case TimeStepLimit.Viscosity:
                         return FormattableString.Invariant($"the kinematic viscosity ({KinematicViscosity:G3} m²/s) sets");
                     case TimeStepLimit.SurfaceTension:
@@ -165,7 +177,8 @@ namespace SphFluid
                 {
                     case TimeStepLimit.Acoustic:
                         double slower = Acoustic * (SoundSpeed + MaxSpeed) / (0.5 * SoundSpeed + MaxSpeed);
-                        return $"half of it, by Sound Speed Ratio or in deep liquid Max Compression, would allow {Allowed(slower)} at four times the compression";
+                        return $"half of it, by Sound Speed Ratio or in deep liquid Max Compression, would allow {Allowed(slower)} at " +
+                            "four times the compression";
                     case TimeStepLimit.Speed:
                         return $"twice the Particle Spacing would allow {Allowed(2.0 * Speed)}";
                     case TimeStepLimit.Viscosity:
@@ -185,7 +198,7 @@ namespace SphFluid
             ? FormattableString.Invariant($"{1e3 * seconds:G3} ms")
             : FormattableString.Invariant($"{seconds:G3} s");
 
-        string Allowed(double changed)
+        private string Allowed(double changed)
         {
             TimeStepLimit limit = Limit;
             double others = double.PositiveInfinity;

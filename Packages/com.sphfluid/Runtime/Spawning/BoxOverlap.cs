@@ -5,7 +5,7 @@ namespace SphFluid
     /// <summary>How much of a liquid shape lies outside the domain.</summary>
     internal static class BoxOverlap
     {
-        const int Samples = 32;
+        private const int Samples = 32;
 
         /// <summary>
         /// Share of the shape's volume outside the domain: 0 or 1 exactly when its bounds say so, else by 32³ regular samples of its
@@ -27,7 +27,7 @@ namespace SphFluid
             return apart ? 1.0 : Sampled(shape, half);
         }
 
-        static double Sampled(LiquidShape shape, Vector3 half)
+        private static double Sampled(LiquidShape shape, Vector3 half)
         {
             int outside = 0, all = 0;
             for (int k = 0; k < Samples; k++)

@@ -11,7 +11,7 @@ namespace SphFluid
         public const int Most = 10000;
 
         // Its share of a number is as far from any fraction as can be, so that the points lie in no rows.
-        const double GoldenShare = 0.6180339887498949;
+        private const double GoldenShare = 0.6180339887498949;
 
         /// <summary>Of all particles.</summary>
         /// <param name="particles">The particles.</param>
@@ -32,14 +32,14 @@ namespace SphFluid
         public IReadOnlyList<Vector3> Shown { get; }
 
         // Without a common divisor, so that no particle comes twice.
-        static long Stride(long total)
+        private static long Stride(long total)
         {
             long stride = Math.Max(1L, (long)(GoldenShare * total));
             while (Divisor(stride, total) > 1) stride++;
             return stride;
         }
 
-        static long Divisor(long a, long b)
+        private static long Divisor(long a, long b)
         {
             while (b != 0) (a, b) = (b, a % b);
             return a;

@@ -13,7 +13,7 @@ namespace SphFluid
         /// <summary>Largest jitter that keeps every particle inside the domain.</summary>
         public const float MaxJitter = DomainMargin;
 
-        const double MostSites = 1 << 28;
+        private const double MostSites = 1 << 28;
 
         /// <summary>Fills the request's shapes.</summary>
         /// <exception cref="ArgumentException">The domain or the spacing is not positive and finite.</exception>
@@ -48,14 +48,15 @@ namespace SphFluid
             return new SpawnResult(new List<FluidParticle>(), tallies, needed, fastest);
         }
 
-        static SpawnTally[] Walk(SpawnRequest request, Action<Vector3, LiquidShape> place, long most, out long needed)
+        private static SpawnTally[] Walk(SpawnRequest request, Action<Vector3, LiquidShape> place, long most, out long needed)
         {
             Check(request);
             SpawnLattice lattice = LatticeFit.Fitted(request);
             SpawnTally[] tallies = NewTallies(request);
             needed = 0;
             FindRange(request, lattice, out var x, out var y, out var z);
-            double sites = Math.Max(x.last - x.first + 1.0, 0.0) * Math.Max(y.last - y.first + 1.0, 0.0) * Math.Max(z.last - z.first + 1.0, 0.0);
+            double sites = Math.Max(x.last - x.first + 1.0, 0.0) * Math.Max(y.last - y.first + 1.0, 0.0) *
+                Math.Max(z.last - z.first + 1.0, 0.0);
             if (sites > MostSites)
             {
                 needed = (long)Math.Min(EstimatedCount(request), 1e18);
@@ -64,16 +65,19 @@ namespace SphFluid
 
             for (long k = z.first; k <= z.last; k++)
                 for (long j = y.first; j <= y.last; j++)
-                    for (long i = x.first; i <= x.last; i++)
-                        Place(request, lattice.Site(i, j, k), -1, tallies, place, most, ref needed);
+                    for (long i = x.first; i <= x.last; i++) Place(request, lattice.Site(i, j, k), -1, tallies, place, most, ref needed);
             Vector3 half = InnerHalf(request);
             for (int b = 0; b < request.Shapes.Count; b++)
                 foreach (Vector3 site in request.Shapes[b].Sites ?? Array.Empty<Vector3>())
-                    if (Mathf.Abs(site.x) <= half.x && Mathf.Abs(site.y) <= half.y && Mathf.Abs(site.z) <= half.z) Place(request, site, b, tallies, place, most, ref needed);
+                    if (Mathf.Abs(site.x) <= half.x && Mathf.Abs(site.y) <= half.y && Mathf.Abs(site.z) <= half.z)
+                    {
+                        Place(request, site, b, tallies, place, most, ref needed);
+                    }
             return MeasureOutside(request, tallies);
         }
 
-        static void Place(SpawnRequest request, Vector3 site, int owner, SpawnTally[] tallies, Action<Vector3, LiquidShape> place, long most, ref long needed)
+        private static void Place(SpawnRequest request, Vector3 site, int owner, SpawnTally[] tallies, Action<Vector3, LiquidShape> place,
+            long most, ref long needed)
         {
             owner = FindOwner(request, site, owner, tallies);
             if (owner < 0) return;
@@ -81,10 +85,12 @@ namespace SphFluid
             if (needed <= most) place?.Invoke(site, request.Shapes[owner]);
         }
 
-        static Vector3 InnerHalf(SpawnRequest request) => request.DomainSize * 0.5f - Vector3.one * (DomainMargin * request.Spacing);
+        private static Vector3 InnerHalf(SpawnRequest request) => request.DomainSize * 0.5f -
+            Vector3.one * (DomainMargin * request.Spacing);
 
-        // Every shape that holds the site is asked: the first fills it or finds it covered, later ones share it. A site of a shape of its own is that shape's or nobody's.
-        static int FindOwner(SpawnRequest request, Vector3 site, int only, SpawnTally[] tallies)
+        // Every shape that holds the site is asked: the first fills it or finds it covered, later ones share it. A site of a shape of its
+        // own is that shape's or nobody's.
+        private static int FindOwner(SpawnRequest request, Vector3 site, int only, SpawnTally[] tallies)
         {
             int owner = -1;
             bool taken = false;
@@ -115,7 +121,7 @@ namespace SphFluid
             return owner;
         }
 
-        static void FindRange(SpawnRequest request, SpawnLattice lattice,
+        private static void FindRange(SpawnRequest request, SpawnLattice lattice,
             out (long first, long last) x, out (long first, long last) y, out (long first, long last) z)
         {
             x = y = z = (0, -1);
@@ -129,7 +135,7 @@ namespace SphFluid
             z = lattice.Range(2, min.z, max.z);
         }
 
-        static SpawnTally[] NewTallies(SpawnRequest request)
+        private static SpawnTally[] NewTallies(SpawnRequest request)
         {
             var tallies = new SpawnTally[request.Shapes.Count];
             double cell = Math.Pow(request.Spacing, 3);
@@ -141,22 +147,26 @@ namespace SphFluid
             return tallies;
         }
 
-        static SpawnTally[] MeasureOutside(SpawnRequest request, SpawnTally[] tallies)
+        private static SpawnTally[] MeasureOutside(SpawnRequest request, SpawnTally[] tallies)
         {
             for (int b = 0; b < tallies.Length; b++)
+            {
                 tallies[b].OutsideShare = BoxOverlap.OutsideShare(request.Shapes[b], request.DomainSize);
+            }
             return tallies;
         }
 
-        static double EstimatedCount(SpawnRequest request)
+        private static double EstimatedCount(SpawnRequest request)
         {
             double volume = 0.0;
             foreach (LiquidShape shape in request.Shapes)
+            {
                 volume += shape.Volume * (1.0 - BoxOverlap.OutsideShare(shape, request.DomainSize));
+            }
             return volume / Math.Pow(request.Spacing, 3);
         }
 
-        static FluidParticle Particle(SpawnRequest request, Vector3 site, LiquidShape shape, int id)
+        private static FluidParticle Particle(SpawnRequest request, Vector3 site, LiquidShape shape, int id)
         {
             float amplitude = Mathf.Clamp(request.Jitter, 0f, MaxJitter) * request.Spacing;
             uint state = PcgHash.Hash((uint)id ^ PcgHash.Hash((uint)request.Seed));
@@ -165,25 +175,30 @@ namespace SphFluid
             return new FluidParticle { Position = site + offset, Id = (uint)id, VelT0 = velocity, VelT1 = velocity };
         }
 
-        static Vector3 Velocity(SpawnRequest request, Vector3 position, LiquidShape shape) =>
+        private static Vector3 Velocity(SpawnRequest request, Vector3 position, LiquidShape shape) =>
             request.Velocity == null ? shape.Velocity : shape.Velocity + request.Velocity(position);
 
         // NaN stays: it is for the caller to report.
-        static float Faster(float fastest, Vector3 velocity)
+        private static float Faster(float fastest, Vector3 velocity)
         {
             float speed = velocity.magnitude;
             return speed <= fastest || float.IsNaN(fastest) ? fastest : speed;
         }
 
-        static float Signed(uint hash) => (hash >> 8) * (2f / 16777216f) - 1f;
+        private static float Signed(uint hash) => (hash >> 8) * (2f / 16777216f) - 1f;
 
-        static void Check(SpawnRequest request)
+        private static void Check(SpawnRequest request)
         {
             Vector3 size = request.DomainSize;
             if (!AffineMath.IsFinite(size) || !(size.x > 0f && size.y > 0f && size.z > 0f))
+            {
                 throw new ArgumentException($"The domain size must be positive and finite, but is {size}.", nameof(request));
+            }
             if (!AffineMath.IsFinite(request.Spacing) || !(request.Spacing > 0f))
-                throw new ArgumentException($"The particle spacing must be positive and finite, but is {request.Spacing}.", nameof(request));
+            {
+                throw new ArgumentException($"The particle spacing must be positive and finite, but is {request.Spacing}.",
+                    nameof(request));
+            }
         }
     }
 }

@@ -5,12 +5,12 @@ namespace SphFluid
 {
     /// <summary>
     /// Lays a request's lattice so that the first box with faces along the domain's axes has its outer layers half a spacing inside
-    /// its faces; without such a box, the first sphere or mesh in its bounds; else it starts at the domain's corner. No layer is nearer than
-    /// half a spacing to a wall of the domain at which that shape stands: one that is starts with a push.
+    /// its faces; without such a box, the first sphere or mesh in its bounds; else it starts at the domain's corner. No layer is nearer
+    /// than half a spacing to a wall of the domain at which that shape stands: one that is starts with a push.
     /// </summary>
     internal static class LatticeFit
     {
-        const float AlignmentTolerance = 1e-4f, WallTolerance = 1e-3f; // of a spacing
+        private const float AlignmentTolerance = 1e-4f, WallTolerance = 1e-3f; // of a spacing
 
         /// <summary>The lattice of a request.</summary>
         public static SpawnLattice For(SpawnRequest request)
@@ -33,21 +33,22 @@ namespace SphFluid
             return lattice;
         }
 
-        static Vector3 Anchor(Bounds bounds, SpawnRequest request)
+        private static Vector3 Anchor(Bounds bounds, SpawnRequest request)
         {
             Vector3 anchor = bounds.min;
             for (int axis = 0; axis < 3; axis++)
             {
                 float wall = 0.5f * request.DomainSize[axis], tolerance = WallTolerance * request.Spacing;
-                bool low = HasWall(request, 2 * axis) && bounds.min[axis] <= tolerance - wall, high = HasWall(request, 2 * axis + 1) && bounds.max[axis] >= wall - tolerance;
+                bool low = HasWall(request, 2 * axis) && bounds.min[axis] <= tolerance - wall,
+                    high = HasWall(request, 2 * axis + 1) && bounds.max[axis] >= wall - tolerance;
                 anchor[axis] = (float)Anchor(low ? -wall : bounds.min[axis], high ? wall : bounds.max[axis], low, high, request.Spacing);
             }
             return anchor;
         }
 
-        // A box 1.04 m wide at dx = 0.1 m holds 10 layers; the 0.04 m left over are shared by both faces, or lie at the one that is no wall. One of 1.06 m holds 11,
-        // whose centres are in it, but only 10 between two walls.
-        static double Anchor(double low, double high, bool lowWall, bool highWall, double spacing)
+        // A box 1.04 m wide at dx = 0.1 m holds 10 layers; the 0.04 m left over are shared by both faces, or lie at the one that is no
+        // wall. One of 1.06 m holds 11, whose centres are in it, but only 10 between two walls.
+        private static double Anchor(double low, double high, bool lowWall, bool highWall, double spacing)
         {
             double fit = (high - low) / spacing;
             double layers = Math.Max(1.0, lowWall && highWall ? Math.Floor(fit + WallTolerance) : Math.Round(fit));
@@ -55,7 +56,7 @@ namespace SphFluid
             return low + (lowWall == highWall ? 0.5 * left : lowWall ? 0.0 : left);
         }
 
-        static bool HasWall(SpawnRequest request, int face) => (request.Walls & (FluidFaces)(1 << face)) != 0;
+        private static bool HasWall(SpawnRequest request, int face) => (request.Walls & (FluidFaces)(1 << face)) != 0;
 
         /// <summary>Whether a frame is along the axes.</summary>
         public static bool IsAligned(Matrix4x4 m)

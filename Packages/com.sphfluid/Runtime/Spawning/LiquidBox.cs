@@ -8,11 +8,11 @@ namespace SphFluid
     internal sealed class LiquidBox : LiquidShape
     {
         /// <summary>Half-width by which a point on a face counts as inside the lower face and outside the upper one.</summary>
-        const float FaceTolerance = 1e-4f;
+        private const float FaceTolerance = 1e-4f;
 
-        const double MostColumned = 1 << 28, MostMissed = 0.02;
+        private const double MostColumned = 1 << 28, MostMissed = 0.02;
 
-        readonly Matrix4x4 toUnit;
+        private readonly Matrix4x4 toUnit;
 
         /// <summary>Box whose corners are the images of (±½, ±½, ±½).</summary>
         /// <param name="name">Name for messages.</param>
@@ -34,8 +34,8 @@ namespace SphFluid
         }
 
         /// <summary>
-        /// A box along the lattice's axes goes by it where that holds its volume. Any other has columns along its own height, evenly filled: those of a box 10.5
-        /// spacings wide are 1.05 of one apart, and hold 11 or 12 particles.
+        /// A box along the lattice's axes goes by it where that holds its volume. Any other has columns along its own height, evenly
+        /// filled: those of a box 10.5 spacings wide are 1.05 of one apart, and hold 11 or 12 particles.
         /// </summary>
         public override void Fit(in SpawnLattice lattice)
         {
@@ -43,11 +43,17 @@ namespace SphFluid
             float spacing = lattice.Spacing;
             double wanted = Volume / Math.Pow(spacing, 3);
             if (wanted > MostColumned) return;
-            if (LatticeFit.IsAligned(Frame) && (!IsWide(spacing) || Math.Abs(Layers(lattice, 0) * Layers(lattice, 1) * Layers(lattice, 2) - wanted) <= MostMissed * wanted)) return;
-            Sites = Columns(wanted, Mathf.Max(Mathf.RoundToInt(Frame.GetColumn(0).magnitude / spacing), 1), Mathf.Max(Mathf.RoundToInt(Frame.GetColumn(2).magnitude / spacing), 1));
+            if (LatticeFit.IsAligned(Frame) &&
+                (!IsWide(spacing) ||
+                    Math.Abs(Layers(lattice, 0) * Layers(lattice, 1) * Layers(lattice, 2) - wanted) <= MostMissed * wanted))
+            {
+                return;
+            }
+            Sites = Columns(wanted, Mathf.Max(Mathf.RoundToInt(Frame.GetColumn(0).magnitude / spacing), 1),
+                Mathf.Max(Mathf.RoundToInt(Frame.GetColumn(2).magnitude / spacing), 1));
         }
 
-        IEnumerable<Vector3> Columns(double wanted, int wide, int deep)
+        private IEnumerable<Vector3> Columns(double wanted, int wide, int deep)
         {
             double owed = 0.5;
             for (int k = 0; k < deep; k++)
@@ -56,12 +62,16 @@ namespace SphFluid
                     owed += wanted / ((double)wide * deep);
                     int count = (int)owed;
                     owed -= count;
-                    for (int j = 0; j < count; j++) yield return Frame.MultiplyPoint3x4(new Vector3((i + 0.5f) / wide, (j + 0.5f) / count, (k + 0.5f) / deep) - 0.5f * Vector3.one);
+                    for (int j = 0; j < count; j++)
+                    {
+                        yield return Frame.MultiplyPoint3x4(new Vector3((i + 0.5f) / wide, (j + 0.5f) / count, (k + 0.5f) / deep) -
+                            0.5f * Vector3.one);
+                    }
                 }
         }
 
         // Of a box along the lattice's axes.
-        double Layers(in SpawnLattice lattice, int axis)
+        private double Layers(in SpawnLattice lattice, int axis)
         {
             Vector3 place = Bounds.center;
             int layers = 0;
@@ -74,6 +84,6 @@ namespace SphFluid
             return layers;
         }
 
-        static bool Inside(float u) => u >= -0.5f - FaceTolerance && u < 0.5f - FaceTolerance;
+        private static bool Inside(float u) => u >= -0.5f - FaceTolerance && u < 0.5f - FaceTolerance;
     }
 }

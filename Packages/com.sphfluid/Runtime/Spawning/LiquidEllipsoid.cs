@@ -6,7 +6,7 @@ namespace SphFluid
     /// <summary>An ellipsoid of liquid: any affine image of a ball.</summary>
     internal sealed class LiquidEllipsoid : LiquidShape
     {
-        readonly Matrix4x4 toUnit;
+        private readonly Matrix4x4 toUnit;
 
         /// <summary>Image of the ball of radius ½ round the origin.</summary>
         /// <param name="name">Name for messages.</param>

@@ -6,7 +6,7 @@ namespace SphFluid
     /// <summary>The inside of a closed mesh as liquid, whether its faces look in or out.</summary>
     internal sealed class LiquidMesh : LiquidShape
     {
-        readonly MeshObstacle inside;
+        private readonly MeshObstacle inside;
 
         /// <summary>The inside of triangles.</summary>
         /// <param name="name">Name for messages.</param>
@@ -38,7 +38,7 @@ namespace SphFluid
             return volume;
         }
 
-        static TriangleMesh Turned(TriangleMesh mesh)
+        private static TriangleMesh Turned(TriangleMesh mesh)
         {
             var indices = (int[])mesh.Indices.Clone();
             Array.Reverse(indices);

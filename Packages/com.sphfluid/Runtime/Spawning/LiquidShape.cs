@@ -9,14 +9,14 @@ namespace SphFluid
     internal abstract class LiquidShape
     {
         /// <summary>Share of the volume that a lattice may miss.</summary>
-        const double GoodMiss = 0.01;
+        private const double GoodMiss = 0.01;
 
         // Spacings that a shape is wide at least, and particles at most, for a lattice to be fitted to its volume.
-        const float LeastWidth = 9.5f;
-        const double MostFitted = 1e6;
+        private const float LeastWidth = 9.5f;
+        private const double MostFitted = 1e6;
 
         // Too many can be left out: of too few each counts so much more.
-        const double TooFew = 5.0;
+        private const double TooFew = 5.0;
 
         /// <summary>A shape that lies in the image of the unit cube.</summary>
         /// <param name="name">Name for messages.</param>
@@ -44,12 +44,15 @@ namespace SphFluid
         /// <summary>Whether the point lies in the liquid.</summary>
         public abstract bool Contains(Vector3 point);
 
-        /// <summary>Where its particles go [m], those that others take included; null: to the sites of the common lattice that it contains.</summary>
+        /// <summary>
+        /// Where its particles go [m], those that others take included; null: to the sites of the common lattice that it contains.
+        /// </summary>
         public IEnumerable<Vector3> Sites { get; protected set; }
 
         /// <summary>
-        /// Chooses where particles go; called before that is asked for. Where the common lattice misses the volume by more than a hundredth, it has one of its own about its middle,
-        /// shifted by half a spacing along some axes, less what is too much of the sites at the surface.
+        /// Chooses where particles go; called before that is asked for. Where the common lattice misses the volume by more than a
+        /// hundredth, it has one of its own about its middle, shifted by half a spacing along some axes, less what is too much of the sites
+        /// at the surface.
         /// </summary>
         public virtual void Fit(in SpawnLattice lattice)
         {
@@ -60,7 +63,8 @@ namespace SphFluid
             List<Vector3> sites = null;
             for (int shift = 0; shift < 8; shift++)
             {
-                List<Vector3> found = On(new SpawnLattice(Bounds.center + 0.5f * spacing * new Vector3(shift & 1, shift >> 1 & 1, shift >> 2), spacing));
+                List<Vector3> found =
+                    On(new SpawnLattice(Bounds.center + 0.5f * spacing * new Vector3(shift & 1, shift >> 1 & 1, shift >> 2), spacing));
                 double miss = found.Count - wanted;
                 if (miss < 0.0) miss *= -TooFew;
                 if (miss < best) (sites, best) = (found, miss);
@@ -68,15 +72,16 @@ namespace SphFluid
             Sites = Trimmed(sites, (int)Math.Round(wanted), spacing);
         }
 
-        List<Vector3> Trimmed(List<Vector3> sites, int most, float spacing)
+        private List<Vector3> Trimmed(List<Vector3> sites, int most, float spacing)
         {
             if (sites.Count <= most) return sites;
-            int[] surface = Enumerable.Range(0, sites.Count).Where(i => !IsDeep(sites[i], spacing)).OrderBy(i => PcgHash.Hash((uint)i)).Take(sites.Count - most).ToArray();
+            int[] surface = Enumerable.Range(0, sites.Count).Where(i => !IsDeep(sites[i], spacing)).OrderBy(i => PcgHash.Hash((uint)i))
+                .Take(sites.Count - most).ToArray();
             var dropped = new HashSet<int>(surface);
             return sites.Where((site, i) => !dropped.Contains(i)).ToList();
         }
 
-        bool IsDeep(Vector3 site, float spacing)
+        private bool IsDeep(Vector3 site, float spacing)
         {
             for (int axis = 0; axis < 3; axis++)
             {
@@ -88,13 +93,16 @@ namespace SphFluid
         }
 
         /// <summary>Whether it is wide enough for a lattice to hold its volume: a thinner one has whole layers.</summary>
-        protected bool IsWide(float spacing) => Mathf.Min(Frame.GetColumn(0).magnitude, Mathf.Min(Frame.GetColumn(1).magnitude, Frame.GetColumn(2).magnitude)) >= LeastWidth * spacing;
+        protected bool IsWide(float spacing) =>
+            Mathf.Min(Frame.GetColumn(0).magnitude, Mathf.Min(Frame.GetColumn(1).magnitude, Frame.GetColumn(2).magnitude)) >=
+                LeastWidth * spacing;
 
-        List<Vector3> On(in SpawnLattice lattice)
+        private List<Vector3> On(in SpawnLattice lattice)
         {
             Bounds bounds = Bounds;
             var sites = new List<Vector3>();
-            (long first, long last) x = lattice.Range(0, bounds.min.x, bounds.max.x), y = lattice.Range(1, bounds.min.y, bounds.max.y), z = lattice.Range(2, bounds.min.z, bounds.max.z);
+            (long first, long last) x = lattice.Range(0, bounds.min.x, bounds.max.x), y = lattice.Range(1, bounds.min.y, bounds.max.y),
+                z = lattice.Range(2, bounds.min.z, bounds.max.z);
             for (long k = z.first; k <= z.last; k++)
                 for (long j = y.first; j <= y.last; j++)
                     for (long i = x.first; i <= x.last; i++)

@@ -33,15 +33,16 @@ namespace SphFluid
     internal sealed class LiquidVessel : LiquidShape
     {
         // Of a layer: so little more is no layer.
-        const float WholeTolerance = 0.05f;
+        private const float WholeTolerance = 0.05f;
 
-        readonly VesselInput input;
-        SpawnLattice lattice;
-        VesselFlood flood;
-        double volume;
+        private readonly VesselInput input;
+        private SpawnLattice lattice;
+        private VesselFlood flood;
+        private double volume;
 
         /// <summary>The hollow round a seed; empty until it is fitted to a lattice.</summary>
-        public LiquidVessel(string name, in VesselInput input, Vector3 velocity) : base(name, FrameOf(new Bounds(input.Seed, Vector3.zero)), velocity)
+        public LiquidVessel(string name, in VesselInput input, Vector3 velocity)
+            : base(name, FrameOf(new Bounds(input.Seed, Vector3.zero)), velocity)
         {
             this.input = input;
         }
@@ -76,11 +77,13 @@ namespace SphFluid
         }
 
         // As many layers as the hollow touches, shared by both sides.
-        static SpawnLattice Laid(in Bounds hollow, float spacing)
+        private static SpawnLattice Laid(in Bounds hollow, float spacing)
         {
             Vector3 origin = Vector3.zero;
             for (int axis = 0; axis < 3; axis++)
+            {
                 origin[axis] = hollow.center[axis] - 0.5f * spacing * Mathf.Ceil(hollow.size[axis] / spacing - WholeTolerance);
+            }
             return new SpawnLattice(origin, spacing);
         }
     }

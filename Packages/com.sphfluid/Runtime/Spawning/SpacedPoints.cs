@@ -7,8 +7,8 @@ namespace SphFluid
     /// <summary>Points by cell of a cubic grid, so that it is quickly known whether one is near a place.</summary>
     internal sealed class SpacedPoints
     {
-        readonly float cell;
-        readonly Dictionary<Vector3Int, List<Vector3>> cells = new Dictionary<Vector3Int, List<Vector3>>();
+        private readonly float cell;
+        private readonly Dictionary<Vector3Int, List<Vector3>> cells = new Dictionary<Vector3Int, List<Vector3>>();
 
         /// <param name="reach">Largest distance that is asked for [m].</param>
         public SpacedPoints(float reach)
@@ -34,19 +34,23 @@ namespace SphFluid
             for (int z = -1; z <= 1; z++)
                 for (int y = -1; y <= 1; y++)
                     for (int x = -1; x <= 1; x++)
-                        if (cells.TryGetValue(middle + new Vector3Int(x, y, z), out List<Vector3> points) && HasNear(points, place, distance)) return true;
+                        if (cells.TryGetValue(middle + new Vector3Int(x, y, z), out List<Vector3> points) &&
+                            HasNear(points, place, distance))
+                        {
+                            return true;
+                        }
             return false;
         }
 
-        static bool HasNear(List<Vector3> points, Vector3 place, float distance)
+        private static bool HasNear(List<Vector3> points, Vector3 place, float distance)
         {
             foreach (Vector3 point in points)
                 if ((point - place).sqrMagnitude < distance * distance) return true;
             return false;
         }
 
-        Vector3Int CellOf(Vector3 place) => new Vector3Int(Index(place.x), Index(place.y), Index(place.z));
+        private Vector3Int CellOf(Vector3 place) => new Vector3Int(Index(place.x), Index(place.y), Index(place.z));
 
-        int Index(float coordinate) => (int)Math.Floor((double)coordinate / cell);
+        private int Index(float coordinate) => (int)Math.Floor((double)coordinate / cell);
     }
 }

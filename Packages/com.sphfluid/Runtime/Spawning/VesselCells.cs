@@ -12,11 +12,12 @@ namespace SphFluid
         /// <summary>Most sites of a block.</summary>
         public const long Most = 1 << 25;
 
-        readonly SpawnLattice lattice;
-        readonly long[] first = new long[3];
-        readonly int[] counts = new int[3];
-        readonly int[] strides = new int[3];
-        readonly byte[][] lowest = new byte[3][], highest = new byte[3][]; // of an axis, above each site: the first and the last hit, 1 + 254 times its share of the way; 0: none
+        private readonly SpawnLattice lattice;
+        private readonly long[] first = new long[3];
+        private readonly int[] counts = new int[3];
+        private readonly int[] strides = new int[3];
+        // of an axis, above each site: the first and the last hit, 1 + 254 times its share of the way; 0: none
+        private readonly byte[][] lowest = new byte[3][], highest = new byte[3][];
 
         /// <summary>The sites within bounds and, below them, a layer that only records what separates it from them.</summary>
         public VesselCells(in SpawnLattice lattice, Bounds bounds)
@@ -82,8 +83,8 @@ namespace SphFluid
         });
 
         /// <summary>
-        /// What the cells of liquid reach beyond half-way to the triangles of a mesh, in cells: counted along each axis, by the square of the normal along it, which
-        /// of a plane sum to one.
+        /// What the cells of liquid reach beyond half-way to the triangles of a mesh, in cells: counted along each axis, by the square of
+        /// the normal along it, which of a plane sum to one.
         /// </summary>
         public double Beyond(TriangleMesh mesh, Func<int, bool> isLiquid)
         {
@@ -92,14 +93,17 @@ namespace SphFluid
             {
                 if (hit == lowest[axis][below] && Index(below, axis) > 0 && isLiquid(below)) sum += weight * (Share(hit) - 0.5);
                 int above = below + strides[axis];
-                if (hit == highest[axis][below] && Index(below, axis) + 1 < counts[axis] && isLiquid(above)) sum += weight * (0.5 - Share(hit));
+                if (hit == highest[axis][below] && Index(below, axis) + 1 < counts[axis] && isLiquid(above))
+                {
+                    sum += weight * (0.5 - Share(hit));
+                }
             });
             return sum;
         }
 
-        static float Share(byte hit) => (hit - 1) / 254f;
+        private static float Share(byte hit) => (hit - 1) / 254f;
 
-        void Visit(TriangleMesh mesh, Action<int, int, byte, double> visit)
+        private void Visit(TriangleMesh mesh, Action<int, int, byte, double> visit)
         {
             for (int t = 0; t < mesh.TriangleCount; t++)
             {
@@ -110,9 +114,9 @@ namespace SphFluid
             }
         }
 
-        int Index(int cell, int axis) => cell / strides[axis] % counts[axis];
+        private int Index(int cell, int axis) => cell / strides[axis] % counts[axis];
 
-        void Visit(int axis, Vector3 a, Vector3 b, Vector3 c, double weight, Action<int, int, byte, double> visit)
+        private void Visit(int axis, Vector3 a, Vector3 b, Vector3 c, double weight, Action<int, int, byte, double> visit)
         {
             int second = (axis + 1) % 3, third = (axis + 2) % 3;
             Vector3 min = Vector3.Min(a, Vector3.Min(b, c)), max = Vector3.Max(a, Vector3.Max(b, c));
@@ -126,16 +130,19 @@ namespace SphFluid
                     if (TriangleMath.LineCrossing(line, u, v, w, out double hit) == 0) continue;
                     double place = (hit - lattice.Origin[axis]) / lattice.Spacing - 0.5 - first[axis], below = Math.Floor(place);
                     if (below >= 0.0 && below < counts[axis])
-                        visit((int)below * strides[axis] + j * strides[second] + k * strides[third], axis, (byte)(1.5 + 254.0 * (place - below)), weight);
+                    {
+                        visit((int)below * strides[axis] + j * strides[second] + k * strides[third], axis,
+                            (byte)(1.5 + 254.0 * (place - below)), weight);
+                    }
                 }
         }
 
         // The axis as x, the others behind it in their cyclic order.
-        static Vector3 Turned(Vector3 p, int axis) => new Vector3(p[axis], p[(axis + 1) % 3], p[(axis + 2) % 3]);
+        private static Vector3 Turned(Vector3 p, int axis) => new Vector3(p[axis], p[(axis + 1) % 3], p[(axis + 2) % 3]);
 
-        float Coordinate(int axis, int index) => (float)(lattice.Origin[axis] + (first[axis] + index + 0.5) * lattice.Spacing);
+        private float Coordinate(int axis, int index) => (float)(lattice.Origin[axis] + (first[axis] + index + 0.5) * lattice.Spacing);
 
-        (int low, int high) Clamped(int axis, float min, float max)
+        private (int low, int high) Clamped(int axis, float min, float max)
         {
             (long low, long high) = lattice.Range(axis, min, max);
             return ((int)Math.Max(low - first[axis], 0), (int)Math.Min(high - first[axis], counts[axis] - 1));

@@ -27,25 +27,25 @@ namespace SphFluid
     internal sealed class VesselFlood
     {
         // What a cell is, besides the number of the cell that the flood came from plus one.
-        const int Dry = 0;
-        const int Source = int.MaxValue;
+        private const int Dry = 0;
+        private const int Source = int.MaxValue;
 
         // Of the spacing: a wall that is farther pushes no particle.
-        const float TouchingWalls = 0.499f;
+        private const float TouchingWalls = 0.499f;
 
         // Of the spacing: a site so near is on a wall.
-        const float OnWall = 0.02f;
+        private const float OnWall = 0.02f;
 
         // Of the spacing: no two particles are nearer.
-        const float LeastDistance = 0.5f;
+        private const float LeastDistance = 0.5f;
 
-        const int MostPushes = 6;
+        private const int MostPushes = 6;
 
-        readonly VesselInput input;
-        readonly VesselCells cells;
-        readonly int[] cameFrom;
-        readonly List<Stack<int>> waiting = new List<Stack<int>>();
-        readonly float spacing, lowest;
+        private readonly VesselInput input;
+        private readonly VesselCells cells;
+        private readonly int[] cameFrom;
+        private readonly List<Stack<int>> waiting = new List<Stack<int>>();
+        private readonly float spacing, lowest;
 
         /// <summary>Floods.</summary>
         public VesselFlood(in VesselInput input, in SpawnLattice lattice)
@@ -78,8 +78,8 @@ namespace SphFluid
         public Bounds Hollow { get; private set; }
 
         /// <summary>
-        /// Where particles go: half a spacing inside the walls that cut their cells, and as many as the hollow's volume holds. Of more, those cut most are left
-        /// out; where there are fewer, the layer above the surface has the rest.
+        /// Where particles go: half a spacing inside the walls that cut their cells, and as many as the hollow's volume holds. Of more,
+        /// those cut most are left out; where there are fewer, the layer above the surface has the rest.
         /// </summary>
         /// <param name="volume">The hollow's volume [m³].</param>
         public List<Vector3> Places(out double volume)
@@ -107,19 +107,27 @@ namespace SphFluid
                 if (cameFrom[cell] == Dry) continue;
                 held += 1.0 + Beyond(cell);
                 Add(cell);
-                if (!cells.IsSeparated(cell, upright, up) && cells.Neighbour(cell, upright, up) is int above && above >= 0 && Height(cells.Site(above)) >= input.Level) Add(above);
+                if (!cells.IsSeparated(cell, upright, up) && cells.Neighbour(cell, upright, up) is int above && above >= 0 &&
+                    Height(cells.Site(above)) >= input.Level)
+                {
+                    Add(above);
+                }
             }
             foreach (FluidObstacle solid in input.Colliders.Solids) held += cells.Beyond(solid.Mesh, cell => cameFrom[cell] != Dry);
             volume = held * Math.Pow(spacing, 3);
             cut.Sort((a, b) => a.clear != b.clear ? b.clear.CompareTo(a.clear) : a.order.CompareTo(b.order));
             int most = (int)Math.Round(held);
             for (int i = 0; i < cut.Count && kept.Count < most; i++)
-                if (!spaced.HasNear(cut[i].place, LeastDistance * spacing) && input.Colliders.FindCovering(cut[i].place, input.Clearance) < 0) Keep(cut[i].place);
+                if (!spaced.HasNear(cut[i].place, LeastDistance * spacing) &&
+                    input.Colliders.FindCovering(cut[i].place, input.Clearance) < 0)
+                {
+                    Keep(cut[i].place);
+                }
             return kept;
         }
 
         // Of the surface and of the domain's faces, as VesselCells.Beyond of triangles.
-        double Beyond(int cell)
+        private double Beyond(int cell)
         {
             double sum = 0.0;
             Vector3 site = cells.Site(cell);
@@ -136,15 +144,16 @@ namespace SphFluid
         }
 
         // To what holds the liquid along an axis, in spacings; infinity where it goes on.
-        float Way(int cell, int axis, bool up)
+        private float Way(int cell, int axis, bool up)
         {
             if (cells.IsSeparated(cell, axis, up)) return cells.Clear(cell, axis, up);
             if (!input.DomainHolds || cells.Neighbour(cell, axis, up) >= 0) return float.PositiveInfinity;
             return (0.5f * input.DomainSize[axis] - (up ? 1f : -1f) * cells.Site(cell)[axis]) / spacing;
         }
 
-        // Half a spacing inside walls; in a corner from one wall after the other. How far the site itself is from what its cell is cut by, in spacings.
-        Vector3 Place(int cell, out float clear)
+        // Half a spacing inside walls; in a corner from one wall after the other. How far the site itself is from what its cell is cut by,
+        // in spacings.
+        private Vector3 Place(int cell, out float clear)
         {
             Vector3 place = cells.Site(cell);
             clear = Mathf.Min((input.Level - Height(place)) / spacing, 0.5f);
@@ -156,7 +165,8 @@ namespace SphFluid
                 place += (0.5f - inward.magnitude) * spacing * inward.normalized;
             }
             if (!input.DomainHolds) return place;
-            Vector3 half = Vector3.Max(0.5f * (input.DomainSize - spacing * Vector3.one), Vector3.zero), held = Vector3.Max(Vector3.Min(place, half), -half);
+            Vector3 half = Vector3.Max(0.5f * (input.DomainSize - spacing * Vector3.one), Vector3.zero),
+                held = Vector3.Max(Vector3.Min(place, half), -half);
             clear = Mathf.Min(clear, 0.5f - (place - held).magnitude / spacing);
             return held;
         }
@@ -177,7 +187,7 @@ namespace SphFluid
             return cell >= 0 && cameFrom[cell] != Dry;
         }
 
-        Bounds FindHollow()
+        private Bounds FindHollow()
         {
             var walls = new Bounds(Bounds.center, Vector3.zero);
             for (int cell = 0; cell < cameFrom.Length; cell++)
@@ -198,7 +208,7 @@ namespace SphFluid
             return walls;
         }
 
-        void Flood(int seed)
+        private void Flood(int seed)
         {
             if (seed < 0) return;
             Enter(seed, Source);
@@ -216,7 +226,7 @@ namespace SphFluid
         }
 
         // The lowest layer that the cell's neighbours wait in.
-        int Spread(int cell)
+        private int Spread(int cell)
         {
             int lowestEntered = int.MaxValue;
             for (int direction = 0; direction < 6; direction++)
@@ -242,7 +252,7 @@ namespace SphFluid
         }
 
         // A site on a wall is the liquid's, but the flood does not go on from it: it may have no clear side.
-        int Enter(int cell, int from)
+        private int Enter(int cell, int from)
         {
             Vector3 site = cells.Site(cell);
             float height = Height(site);
@@ -257,7 +267,7 @@ namespace SphFluid
             return layer;
         }
 
-        VesselLeak FindLeak(int cell)
+        private VesselLeak FindLeak(int cell)
         {
             int highest = cell, contact = -1;
             for (int at = cell; ; at = cameFrom[at] - 1)
@@ -268,20 +278,21 @@ namespace SphFluid
             }
             float rim = Height(cells.Site(highest));
             bool over = rim > spacing;
-            return new VesselLeak(cells.Site(over || contact < 0 ? highest : contact), over ? rim - spacing : 0f); // another lattice's lowest site over the rim may be lower
+            // another lattice's lowest site over the rim may be lower
+            return new VesselLeak(cells.Site(over || contact < 0 ? highest : contact), over ? rim - spacing : 0f);
         }
 
-        bool TouchesWall(int cell)
+        private bool TouchesWall(int cell)
         {
             for (int direction = 0; direction < 6; direction++)
                 if (cells.IsSeparated(cell, direction >> 1, (direction & 1) != 0)) return true;
             return false;
         }
 
-        float Height(Vector3 point) => Vector3.Dot(input.Up, point - input.Seed);
+        private float Height(Vector3 point) => Vector3.Dot(input.Up, point - input.Seed);
 
         // A cell round the colliders: liquid that comes there is out.
-        Bounds Surroundings()
+        private Bounds Surroundings()
         {
             var bounds = new Bounds(input.Seed, Vector3.zero);
             foreach (FluidObstacle solid in input.Colliders.Solids) bounds = Enclosing(bounds, solid.Mesh.Bounds);
@@ -289,13 +300,13 @@ namespace SphFluid
             return bounds;
         }
 
-        static Bounds Enclosing(Bounds a, Bounds b)
+        private static Bounds Enclosing(Bounds a, Bounds b)
         {
             a.Encapsulate(b);
             return a;
         }
 
-        static Bounds Common(Bounds a, Bounds b)
+        private static Bounds Common(Bounds a, Bounds b)
         {
             Vector3 min = Vector3.Max(a.min, b.min);
             var common = new Bounds();
@@ -303,6 +314,6 @@ namespace SphFluid
             return common;
         }
 
-        static Vector3 Absolute(Vector3 v) => new Vector3(Mathf.Abs(v.x), Mathf.Abs(v.y), Mathf.Abs(v.z));
+        private static Vector3 Absolute(Vector3 v) => new Vector3(Mathf.Abs(v.x), Mathf.Abs(v.y), Mathf.Abs(v.z));
     }
 }

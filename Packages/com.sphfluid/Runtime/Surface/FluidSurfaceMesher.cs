@@ -34,8 +34,7 @@ namespace SphFluid
         public static SurfaceMesh Extract(FluidSolver solver, FluidShaderSet shaders, FluidSurfaceOptions options)
         {
             RequireSolver(solver);
-            if (options == null)
-                throw new ArgumentNullException(nameof(options));
+            if (options == null) throw new ArgumentNullException(nameof(options));
             SurfaceFieldSettings field = options.Field(solver.Settings);
             return Extract(solver, shaders, field, SurfaceGrid.OverDomain(solver.Settings.DomainSize, field.CellSize),
                 options.Walls);
@@ -59,8 +58,7 @@ namespace SphFluid
 
         internal static void RequireSolver(FluidSolver solver)
         {
-            if (solver == null)
-                throw new ArgumentNullException(nameof(solver), "A surface needs a running simulation.");
+            if (solver == null) throw new ArgumentNullException(nameof(solver), "A surface needs a running simulation.");
         }
     }
 }

@@ -10,16 +10,23 @@ namespace SphFluid
     public sealed class FluidSurfaceOptions
     {
         [SerializeField, Tooltip("How much work the surface may take: Cheap for weak devices, High for finer cells.")]
-        FluidSurfaceQuality quality = FluidSurfaceQuality.Default;
+        private FluidSurfaceQuality quality = FluidSurfaceQuality.Default;
 
-        [SerializeField, Min(0f), Tooltip("Edge of a cell in particle spacings. 0: what the quality says. Smaller cells are finer and cost more.")]
-        float cellSize;
+        [SerializeField, Min(0f),
+            Tooltip("Edge of a cell in particle spacings. 0: what the quality says. Smaller cells are finer and cost more.")]
+        private float cellSize;
 
-        [SerializeField, Tooltip("Whether the surface is closed where the liquid touches the domain's walls. Off: only the open surface, e.g. behind glass of your own.")]
-        bool closedAtWalls = true;
+        [SerializeField,
+            Tooltip(
+                "Whether the surface is closed where the liquid touches the domain's walls. Off: only the open surface, e.g. behind " +
+                "glass of your own.")]
+        private bool closedAtWalls = true;
 
-        [SerializeField, Min(0), Tooltip("Most triangles of the surface. 0: as many as the device holds. A surface with more is not updated, and a warning says so.")]
-        int triangleBudget;
+        [SerializeField, Min(0),
+            Tooltip(
+                "Most triangles of the surface. 0: as many as the device holds. A surface with more is not updated, and a warning says " +
+                "so.")]
+        private int triangleBudget;
 
         /// <summary>How much work the surface may take.</summary>
         public FluidSurfaceQuality Quality { get => Limits.Known(quality); set => quality = value; }

@@ -8,13 +8,13 @@ namespace SphFluid
     /// neighbouring cube could draw the same one: each edge of the mesh then belongs to exactly two triangles. Of the
     /// cuts that are left the one with the shortest diagonals is taken.
     /// </summary>
-    sealed class MarchingCubesPolygon
+    internal sealed class MarchingCubesPolygon
     {
         // Twice the midpoints of the cube's edges: two edges lie in a common face when a coordinate is 0 in both or 2
         // in both.
-        readonly Vector3Int[] midpoints;
-        readonly List<int> best = new List<int>();
-        int bestCost;
+        private readonly Vector3Int[] midpoints;
+        private readonly List<int> best = new List<int>();
+        private int bestCost;
 
         public MarchingCubesPolygon(int[] edgeCorners)
         {
@@ -36,10 +36,9 @@ namespace SphFluid
         }
 
         // Cuts off one triangle (an ear) at a time and tries every order: loops have at most seven corners.
-        void Search(List<int> loop, List<int> triangles, int cost)
+        private void Search(List<int> loop, List<int> triangles, int cost)
         {
-            if (cost >= bestCost)
-                return;
+            if (cost >= bestCost) return;
             if (loop.Count == 3)
             {
                 bestCost = cost;
@@ -53,8 +52,7 @@ namespace SphFluid
                 int before = loop[i];
                 int ear = loop[(i + 1) % loop.Count];
                 int after = loop[(i + 2) % loop.Count];
-                if (ShareFace(before, after))
-                    continue;
+                if (ShareFace(before, after)) continue;
                 var rest = new List<int>(loop);
                 rest.Remove(ear);
                 int diagonal = (midpoints[after] - midpoints[before]).sqrMagnitude;
@@ -62,13 +60,13 @@ namespace SphFluid
             }
         }
 
-        bool ShareFace(int a, int b)
+        private bool ShareFace(int a, int b)
         {
             Vector3Int p = midpoints[a];
             Vector3Int q = midpoints[b];
             return OnSameSide(p.x, q.x) || OnSameSide(p.y, q.y) || OnSameSide(p.z, q.z);
         }
 
-        static bool OnSameSide(int a, int b) => a == b && a != 1;
+        private static bool OnSameSide(int a, int b) => a == b && a != 1;
     }
 }

@@ -24,12 +24,12 @@ namespace SphFluid
         /// </summary>
         public const int RowLength = 16;
 
-        const int CornerCount = 8;
-        const int EdgeCount = 12;
+        private const int CornerCount = 8;
+        private const int EdgeCount = 12;
 
         // The lower corner of an edge comes first, so that all cubes around an edge interpolate along it in the same
         // direction.
-        static readonly int[] Corners =
+        private static readonly int[] Corners =
         {
             0, 1, 1, 2, 3, 2, 0, 3,
             4, 5, 5, 6, 7, 6, 4, 7,
@@ -38,16 +38,16 @@ namespace SphFluid
 
         // Corners of the six faces, going round anticlockwise for a viewer outside who sees x to the right, y up and z
         // towards himself.
-        static readonly int[][] Faces =
+        private static readonly int[][] Faces =
         {
             new[] { 0, 3, 2, 1 }, new[] { 4, 5, 6, 7 },
             new[] { 0, 1, 5, 4 }, new[] { 3, 7, 6, 2 },
             new[] { 0, 4, 7, 3 }, new[] { 1, 2, 6, 5 },
         };
 
-        static readonly int[] Flags = new int[CaseCount];
-        static readonly int[] Rows = new int[CaseCount * RowLength];
-        static readonly int[] Lengths = new int[CaseCount];
+        private static readonly int[] Flags = new int[CaseCount];
+        private static readonly int[] Rows = new int[CaseCount * RowLength];
+        private static readonly int[] Lengths = new int[CaseCount];
 
         static MarchingCubesTables()
         {
@@ -95,31 +95,29 @@ namespace SphFluid
             return buffer;
         }
 
-        static bool IsOutside(int index, int corner) => (index >> corner & 1) != 0;
+        private static bool IsOutside(int index, int corner) => (index >> corner & 1) != 0;
 
-        static int CutEdges(int index)
+        private static int CutEdges(int index)
         {
             int flags = 0;
             for (int edge = 0; edge < EdgeCount; edge++)
             {
-                if (IsOutside(index, Corners[2 * edge]) != IsOutside(index, Corners[2 * edge + 1]))
-                    flags |= 1 << edge;
+                if (IsOutside(index, Corners[2 * edge]) != IsOutside(index, Corners[2 * edge + 1])) flags |= 1 << edge;
             }
             return flags;
         }
 
-        static List<int> Triangulate(int index, MarchingCubesPolygon polygon)
+        private static List<int> Triangulate(int index, MarchingCubesPolygon polygon)
         {
             var triangles = new List<int>();
-            foreach (List<int> loop in Loops(index))
-                triangles.AddRange(polygon.Triangulate(loop));
+            foreach (List<int> loop in Loops(index)) triangles.AddRange(polygon.Triangulate(loop));
             return triangles;
         }
 
         /// <summary>
         /// The closed outlines that the surface draws on the faces of a cube: their cut edges in order.
         /// </summary>
-        static List<List<int>> Loops(int index)
+        private static List<List<int>> Loops(int index)
         {
             var loops = new List<List<int>>();
             int[] next = JoinCutEdges(index);
@@ -133,8 +131,7 @@ namespace SphFluid
                     next[edge] = -1;
                     edge = following;
                 }
-                if (loop.Count > 0)
-                    loops.Add(loop);
+                if (loop.Count > 0) loops.Add(loop);
             }
             return loops;
         }
@@ -142,44 +139,39 @@ namespace SphFluid
         // next[e] is the edge that the surface's outline runs to from edge e, or -1. Going round a face, an edge leaves
         // the liquid and the next cut edge enters it again: the outline cuts off the outside corners between them, and
         // runs from the entering to the leaving edge.
-        static int[] JoinCutEdges(int index)
+        private static int[] JoinCutEdges(int index)
         {
             var next = new int[EdgeCount];
-            for (int edge = 0; edge < EdgeCount; edge++)
-                next[edge] = -1;
+            for (int edge = 0; edge < EdgeCount; edge++) next[edge] = -1;
             foreach (int[] face in Faces)
             {
                 for (int i = 0; i < 4; i++)
                 {
                     bool leaves = !IsOutside(index, face[i]) && IsOutside(index, face[(i + 1) % 4]);
-                    if (!leaves)
-                        continue;
+                    if (!leaves) continue;
                     int j = (i + 1) % 4;
-                    while (IsOutside(index, face[(j + 1) % 4]))
-                        j = (j + 1) % 4;
+                    while (IsOutside(index, face[(j + 1) % 4])) j = (j + 1) % 4;
                     next[EdgeBetween(face[j], face[(j + 1) % 4])] = EdgeBetween(face[i], face[(i + 1) % 4]);
                 }
             }
             return next;
         }
 
-        static int EdgeBetween(int a, int b)
+        private static int EdgeBetween(int a, int b)
         {
             for (int edge = 0; edge < EdgeCount; edge++)
             {
                 int first = Corners[2 * edge];
                 int second = Corners[2 * edge + 1];
-                if (first == a && second == b || first == b && second == a)
-                    return edge;
+                if (first == a && second == b || first == b && second == a) return edge;
             }
             throw new ArgumentException($"Corners {a} and {b} of a cube (0 to {CornerCount - 1}) are not joined by an edge.");
         }
 
-        static void WriteRow(int index, List<int> triangles)
+        private static void WriteRow(int index, List<int> triangles)
         {
             Lengths[index] = triangles.Count;
-            for (int slot = 0; slot < RowLength; slot++)
-                Rows[index * RowLength + slot] = slot < triangles.Count ? triangles[slot] : -1;
+            for (int slot = 0; slot < RowLength; slot++) Rows[index * RowLength + slot] = slot < triangles.Count ? triangles[slot] : -1;
         }
     }
 }

@@ -3,7 +3,7 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>A surface's spray as the GPU draws it.</summary>
-    readonly struct SprayBuffers
+    internal readonly struct SprayBuffers
     {
         /// <summary>Vertices of the square that a drop is drawn on.</summary>
         public const int VerticesPerDrop = 6;

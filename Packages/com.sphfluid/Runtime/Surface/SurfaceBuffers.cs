@@ -4,7 +4,7 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>A surface as the GPU draws it.</summary>
-    readonly struct SurfaceBuffers
+    internal readonly struct SurfaceBuffers
     {
         /// <summary>Property id of the vertices.</summary>
         public static readonly int VerticesId = Shader.PropertyToID("_SurfaceVertices");

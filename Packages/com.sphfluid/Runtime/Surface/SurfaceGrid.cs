@@ -13,7 +13,7 @@ namespace SphFluid
         public const int MaximumCells = 1024;
 
         // Three grid edges start at each vertex, two layers of the ring's included; their names are 32 bits long.
-        const double MostNamedVertices = uint.MaxValue / 3;
+        private const double MostNamedVertices = uint.MaxValue / 3;
 
         /// <summary>A grid over a box, with the same number of cells along each axis.</summary>
         /// <param name="minimum">Lowest corner of the box [m], simulation space.</param>
@@ -25,8 +25,10 @@ namespace SphFluid
             : this(minimum, size, Vector3Int.one * cells)
         {
             if (cells > MaximumCells)
+            {
                 throw new ArgumentOutOfRangeException(nameof(cells),
                     $"A surface grid has 1 to {MaximumCells} cells a side, not {cells}.");
+            }
         }
 
         /// <summary>A grid over a box.</summary>
@@ -39,13 +41,16 @@ namespace SphFluid
         public SurfaceGrid(Vector3 minimum, Vector3 size, Vector3Int cells)
         {
             if (!IsBox(size) || !IsFinite(minimum))
+            {
                 throw new ArgumentOutOfRangeException(nameof(size),
                     $"A surface grid needs a box with edges greater than zero; this one is {size} m at {minimum}.");
+            }
             if (cells.x < 1 || cells.y < 1 || cells.z < 1)
+            {
                 throw new ArgumentOutOfRangeException(nameof(cells),
                     $"A surface grid has one cell or more along each axis, not {cells}.");
-            if (!Fits(cells))
-                throw TooMany(nameof(cells), cells);
+            }
+            if (!Fits(cells)) throw TooMany(nameof(cells), cells);
             Minimum = minimum;
             Size = size;
             Cells = cells;
@@ -87,12 +92,13 @@ namespace SphFluid
         public static SurfaceGrid OverDomain(Vector3 domainSize, float cellEdge)
         {
             if (!(cellEdge > 0f) || float.IsInfinity(cellEdge))
+            {
                 throw new ArgumentOutOfRangeException(nameof(cellEdge),
                     $"The cells of a surface grid need an edge greater than zero, not {cellEdge} m.");
+            }
             Vector3 cells = Domain(domainSize) / cellEdge;
             cells = new Vector3(Mathf.Ceil(cells.x), Mathf.Ceil(cells.y), Mathf.Ceil(cells.z));
-            if (!Fits(cells))
-                throw TooMany(nameof(cellEdge), cells);
+            if (!Fits(cells)) throw TooMany(nameof(cellEdge), cells);
             return new SurfaceGrid(domainSize * -0.5f, domainSize, Vector3Int.RoundToInt(cells));
         }
 
@@ -123,20 +129,22 @@ namespace SphFluid
         internal static Vector3Int CornerOffset(int corner) =>
             new Vector3Int((corner + 1) >> 1 & 1, corner >> 1 & 1, corner >> 2);
 
-        static Vector3 Domain(Vector3 domainSize) => IsBox(domainSize) ? domainSize
-            : throw new ArgumentOutOfRangeException(nameof(domainSize), $"A surface grid needs a domain with edges greater than zero, not {domainSize} m.");
+        private static Vector3 Domain(Vector3 domainSize) => IsBox(domainSize) ? domainSize
+            : throw new ArgumentOutOfRangeException(nameof(domainSize),
+                $"A surface grid needs a domain with edges greater than zero, not {domainSize} m.");
 
-        static int Product(Vector3Int counts) => counts.x * counts.y * counts.z;
+        private static int Product(Vector3Int counts) => counts.x * counts.y * counts.z;
 
-        static bool Fits(Vector3 cells) =>
+        private static bool Fits(Vector3 cells) =>
             ((double)cells.x + 3.0) * (cells.y + 3.0) * (cells.z + 3.0) <= MostNamedVertices;
 
-        static ArgumentOutOfRangeException TooMany(string parameter, Vector3 cells) =>
+        private static ArgumentOutOfRangeException TooMany(string parameter, Vector3 cells) =>
             new ArgumentOutOfRangeException(parameter,
-            $"A surface grid of {cells.x:F0} x {cells.y:F0} x {cells.z:F0} cells has more edges than 32 bits can name. Choose larger cells or a smaller domain.");
+            $"A surface grid of {cells.x:F0} x {cells.y:F0} x {cells.z:F0} cells has more edges than 32 bits can name. Choose larger " +
+            "cells or a smaller domain.");
 
-        static bool IsBox(Vector3 size) => size.x > 0f && size.y > 0f && size.z > 0f && IsFinite(size);
+        private static bool IsBox(Vector3 size) => size.x > 0f && size.y > 0f && size.z > 0f && IsFinite(size);
 
-        static bool IsFinite(Vector3 v) => !float.IsNaN(v.sqrMagnitude) && !float.IsInfinity(v.sqrMagnitude);
+        private static bool IsFinite(Vector3 v) => !float.IsNaN(v.sqrMagnitude) && !float.IsInfinity(v.sqrMagnitude);
     }
 }

@@ -4,16 +4,16 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>Hands a grid to shaders that include Shaders/Surface/SurfaceGrid.hlsl.</summary>
-    static class SurfaceGridBinding
+    internal static class SurfaceGridBinding
     {
         // Thin enough to be seen as the wall, thick enough for triangles that floats resolve.
-        const float RingThickness = 0.02f;
+        private const float RingThickness = 0.02f;
 
-        static readonly int MinimumId = Shader.PropertyToID("_MCMinimum");
-        static readonly int CellSizeId = Shader.PropertyToID("_MCCellSize");
-        static readonly int CellsId = Shader.PropertyToID("_MCCells");
-        static readonly int RingId = Shader.PropertyToID("_MCRing");
-        static readonly int IsoValueId = Shader.PropertyToID("_MCIsoValue");
+        private static readonly int MinimumId = Shader.PropertyToID("_MCMinimum");
+        private static readonly int CellSizeId = Shader.PropertyToID("_MCCellSize");
+        private static readonly int CellsId = Shader.PropertyToID("_MCCells");
+        private static readonly int RingId = Shader.PropertyToID("_MCRing");
+        private static readonly int IsoValueId = Shader.PropertyToID("_MCIsoValue");
 
         /// <summary>Records the grid for the kernel's next dispatch.</summary>
         public static void SetGrid(this ComputeKernel kernel, CommandBuffer cmd, in SurfaceGrid grid,
@@ -46,6 +46,6 @@ namespace SphFluid
             properties.SetFloat(RingId, Ring(walls));
         }
 
-        static float Ring(SurfaceWalls walls) => walls == SurfaceWalls.Closed ? RingThickness : 0f;
+        private static float Ring(SurfaceWalls walls) => walls == SurfaceWalls.Closed ? RingThickness : 0f;
     }
 }

@@ -21,10 +21,15 @@ namespace SphFluid
             Normals = normals ?? throw new ArgumentNullException(nameof(normals));
             Indices = indices ?? throw new ArgumentNullException(nameof(indices));
             if (normals.Length != positions.Length)
-                throw new ArgumentException($"A mesh needs a normal for each vertex: {positions.Length} positions, {normals.Length} normals.", nameof(normals));
+            {
+                throw new ArgumentException(
+                    $"A mesh needs a normal for each vertex: {positions.Length} positions, {normals.Length} normals.", nameof(normals));
+            }
             if (indices.Length % 3 != 0)
+            {
                 throw new ArgumentException($"A mesh needs three indices a triangle, not {indices.Length} in all.",
                     nameof(indices));
+            }
         }
 
         /// <summary>Positions of the vertices [m].</summary>
@@ -48,7 +53,9 @@ namespace SphFluid
         {
             double sum = 0.0;
             for (int i = 0; i < Indices.Length; i += 3)
+            {
                 sum += 0.5 * Vector3.Cross(Corner(i + 1) - Corner(i), Corner(i + 2) - Corner(i)).magnitude;
+            }
             return sum;
         }
 
@@ -57,8 +64,7 @@ namespace SphFluid
         public double Volume()
         {
             double sum = 0.0;
-            for (int i = 0; i < Indices.Length; i += 3)
-                sum += Vector3.Dot(Corner(i), Vector3.Cross(Corner(i + 1), Corner(i + 2))) / 6.0;
+            for (int i = 0; i < Indices.Length; i += 3) sum += Vector3.Dot(Corner(i), Vector3.Cross(Corner(i + 1), Corner(i + 2))) / 6.0;
             return sum;
         }
 
@@ -90,6 +96,6 @@ namespace SphFluid
             return mesh;
         }
 
-        Vector3 Corner(int index) => Positions[Indices[index]];
+        private Vector3 Corner(int index) => Positions[Indices[index]];
     }
 }

@@ -8,13 +8,13 @@ namespace SphFluid
     /// <summary>
     /// The sparse surface of a component: made anew when the liquid or the options changed. Messages name the component.
     /// </summary>
-    sealed class SurfaceSource : IDisposable
+    internal sealed class SurfaceSource : IDisposable
     {
-        readonly CommandBuffer cmd = new CommandBuffer { name = "Fluid Surface" };
-        FluidSolver solver;
-        Content requested;
-        Content made;
-        string reported;
+        private readonly CommandBuffer cmd = new CommandBuffer { name = "Fluid Surface" };
+        private FluidSolver solver;
+        private Content requested;
+        private Content made;
+        private string reported;
 
         /// <exception cref="FluidDeviceException">The device cannot run a kernel.</exception>
         public SurfaceSource(FluidShaderSet shaders)
@@ -28,10 +28,11 @@ namespace SphFluid
         public SurfaceGrid Grid => requested.Grid;
 
         /// <summary>The particles that left the surface, after <see cref="Make"/>; only where they may.</summary>
-        public SprayBuffers Spray => new SprayBuffers(Surface.Spray.Particles, Surface.Spray.DrawArguments, requested.Drops, requested.Field.Spacing);
+        public SprayBuffers Spray =>
+            new SprayBuffers(Surface.Spray.Particles, Surface.Spray.DrawArguments, requested.Drops, requested.Field.Spacing);
 
         // With buffers that turn out too small it is made again until all of it fits; each attempt waits for the answer to the one before.
-        bool IsUpToDate => made.Equals(requested) && (Surface.IsSettled || Surface.IsAwaited);
+        private bool IsUpToDate => made.Equals(requested) && (Surface.IsSettled || Surface.IsAwaited);
 
         /// <summary>
         /// Takes what is to be shown: the particles' present positions. The buffers stay the same until the next call;
@@ -47,16 +48,16 @@ namespace SphFluid
         public bool Request(FluidSolver liquid, FluidSurfaceOptions options, int drops, Object owner, out SurfaceBuffers buffers)
         {
             buffers = default;
-            if (!TryField(liquid.Settings, options, owner, out SurfaceFieldSettings field, out SurfaceGrid grid))
-                return false;
+            if (!TryField(liquid.Settings, options, owner, out SurfaceFieldSettings field, out SurfaceGrid grid)) return false;
             solver = liquid;
             requested = new Content(liquid, field.WithSpray(drops > 0), grid, options, drops);
             Surface.TriangleBudget = options.TriangleBudget;
-            if (!IsUpToDate)
-                Surface.Reserve(liquid, requested.Field, grid);
+            if (!IsUpToDate) Surface.Reserve(liquid, requested.Field, grid);
             Surface.SprayVertices = drops * SprayBuffers.VerticesPerDrop;
             for (string warning = Surface.TakeWarning(); warning != null; warning = Surface.TakeWarning())
+            {
                 Debug.LogWarning($"{FluidMessage.Prefix} '{owner.name}': {warning}", owner);
+            }
             buffers = new SurfaceBuffers(Surface.Vertices, Surface.Indices, Surface.DrawArguments);
             return true;
         }
@@ -65,8 +66,7 @@ namespace SphFluid
         /// <returns>Whether there was anything to do.</returns>
         public bool Make()
         {
-            if (solver == null || solver.IsDisposed || IsUpToDate)
-                return false;
+            if (solver == null || solver.IsDisposed || IsUpToDate) return false;
             cmd.Clear();
             Surface.RecordReserved(cmd, solver, requested.Field, requested.Grid, requested.Walls);
             Graphics.ExecuteCommandBuffer(cmd);
@@ -83,13 +83,13 @@ namespace SphFluid
 
         // What a surface shows. A field follows from the options and from the settings of the liquid, whose every change
         // is another version.
-        readonly struct Content : IEquatable<Content>
+        private readonly struct Content : IEquatable<Content>
         {
-            readonly FluidSolver solver;
-            readonly long version;
-            readonly FluidSurfaceQuality quality;
-            readonly float cellSize;
-            readonly int budget;
+            private readonly FluidSolver solver;
+            private readonly long version;
+            private readonly FluidSurfaceQuality quality;
+            private readonly float cellSize;
+            private readonly int budget;
 
             public Content(FluidSolver solver, in SurfaceFieldSettings field, SurfaceGrid grid, FluidSurfaceOptions options, int drops)
             {
@@ -113,11 +113,12 @@ namespace SphFluid
             public int Drops { get; }
 
             public bool Equals(Content other) => solver == other.solver && version == other.version && quality == other.quality &&
-                cellSize == other.cellSize && budget == other.budget && Drops == other.Drops && Walls == other.Walls && Grid.Equals(other.Grid);
+                cellSize == other.cellSize && budget == other.budget && Drops == other.Drops && Walls == other.Walls &&
+                Grid.Equals(other.Grid);
         }
 
         // A cell size that cannot be met is reported once, until it is changed.
-        bool TryField(in FluidSolverSettings settings, FluidSurfaceOptions options, Object owner,
+        private bool TryField(in FluidSolverSettings settings, FluidSurfaceOptions options, Object owner,
             out SurfaceFieldSettings field, out SurfaceGrid grid)
         {
             grid = default;
@@ -137,20 +138,20 @@ namespace SphFluid
         }
 
         // Runtimes add the parameter's name, in brackets or on a line of its own.
-        static string WithoutParameter(ArgumentException exception)
+        private static string WithoutParameter(ArgumentException exception)
         {
             string line = exception.Message.Split('\n')[0];
             int name = line.IndexOf(" (Parameter '", StringComparison.Ordinal);
             return (name < 0 ? line : line.Substring(0, name)).TrimEnd();
         }
 
-        void Report(string problem, Object owner)
+        private void Report(string problem, Object owner)
         {
-            if (problem == reported)
-                return;
+            if (problem == reported) return;
             reported = problem;
             Debug.LogError(
-                $"{FluidMessage.Prefix} '{owner.name}': {problem} Choose another cell size or quality of the surface; until then the liquid is not drawn.", owner);
+                $"{FluidMessage.Prefix} '{owner.name}': {problem} Choose another cell size or quality of the surface; until then the " +
+                "liquid is not drawn.", owner);
         }
     }
 }

@@ -3,17 +3,20 @@ using UnityEngine;
 
 namespace SphFluid
 {
-    /// <summary>What flakes of foam are cut out of: a film of cells (Worley 1996, "A cellular texture basis function"), dense at their rims. It repeats.</summary>
-    static class LaceTexture
+    /// <summary>
+    /// What flakes of foam are cut out of: a film of cells (Worley 1996, "A cellular texture basis function"), dense at their rims. It
+    /// repeats.
+    /// </summary>
+    internal static class LaceTexture
     {
         public const int Size = 128;
 
         // Cells along a side, and of what remains of the film in the middle of one.
-        const int Cells = 10;
-        const float Thinnest = 0.3f;
+        private const int Cells = 10;
+        private const float Thinnest = 0.3f;
 
         // Width of a rim in cells.
-        const float Rim = 0.45f;
+        private const float Rim = 0.45f;
 
         public static Texture2D Create()
         {
@@ -38,7 +41,7 @@ namespace SphFluid
         }
 
         // One in each square of a grid, away from its edges.
-        static Vector2[] Centres()
+        private static Vector2[] Centres()
         {
             var random = new System.Random(1);
             var centres = new Vector2[Cells * Cells];
@@ -51,7 +54,7 @@ namespace SphFluid
         }
 
         // Of the film at a place, in cells: from its two nearest centres.
-        static float Density(Vector2 place, Vector2[] centres)
+        private static float Density(Vector2 place, Vector2[] centres)
         {
             float nearest = float.MaxValue, second = float.MaxValue;
             int x = (int)place.x, y = (int)place.y;

@@ -4,7 +4,7 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>The whitewater of a liquid on the GPU, and what is computed of the liquid's particles for it.</summary>
-    sealed class WhitewaterBuffers : BufferSet
+    internal sealed class WhitewaterBuffers : BufferSet
     {
         /// <summary>Bytes of WhitewaterParticle in Shaders/Whitewater/WhitewaterTypes.hlsl.</summary>
         public const int Stride = 48;
@@ -12,14 +12,14 @@ namespace SphFluid
         /// <summary>Vertices of the triangle that a piece is drawn on.</summary>
         public const int VerticesPerPiece = 3;
 
-        const int GroupThreads = 256;
+        private const int GroupThreads = 256;
 
         // Slots of the state, mirrored by Shaders/Whitewater/WhitewaterTypes.hlsl.
-        const int Count = 0, Before = 1, Survivors = 2, Requested = 3, Born = 4, Refused = 5, Largest = 6, Means = 9, Time = 12;
+        private const int Count = 0, Before = 1, Survivors = 2, Requested = 3, Born = 4, Refused = 5, Largest = 6, Means = 9, Time = 12;
 
-        static readonly uint[] Zeros = new uint[StateSlots];
+        private static readonly uint[] Zeros = new uint[StateSlots];
 
-        FluidBuffer normals, potentials, groups;
+        private FluidBuffer normals, potentials, groups;
 
         /// <exception cref="FluidDeviceException">The device has too little memory.</exception>
         public WhitewaterBuffers(int capacity)
@@ -96,8 +96,8 @@ namespace SphFluid
         public static WhitewaterCounts Read(uint[] state) => new WhitewaterCounts(state[Count], state[Born], state[Refused],
             new Vector3(Number(state[Means]), Number(state[Means + 1]), Number(state[Means + 2])));
 
-        static float Number(uint bits) => BitConverter.Int32BitsToSingle(unchecked((int)bits));
+        private static float Number(uint bits) => BitConverter.Int32BitsToSingle(unchecked((int)bits));
 
-        static int GroupsOf(int count) => Math.Max(1, (count + GroupThreads - 1) / GroupThreads);
+        private static int GroupsOf(int count) => Math.Max(1, (count + GroupThreads - 1) / GroupThreads);
     }
 }

@@ -19,10 +19,14 @@ namespace SphFluid
         /// <summary>Particles that were born since the start.</summary>
         public long Born { get; }
 
-        /// <summary>Particles that the liquid asked for since the start and that were not born, because there were as many as there may be.</summary>
+        /// <summary>
+        /// Particles that the liquid asked for since the start and that were not born, because there were as many as there may be.
+        /// </summary>
         public long Refused { get; }
 
-        /// <summary>Running means of the largest trapped air [m/s], wave crest and kinetic energy [J/kg] of a frame, by which whitewater is born.</summary>
+        /// <summary>
+        /// Running means of the largest trapped air [m/s], wave crest and kinetic energy [J/kg] of a frame, by which whitewater is born.
+        /// </summary>
         public Vector3 Limits { get; }
     }
 }

@@ -5,27 +5,27 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>
-    /// Draws whitewater (Shaders/Whitewater/WhitewaterDrawing.hlsl): once after the water and, where the package copies the scene for the water to
-    /// refract, into that copy, where bubbles are seen.
+    /// Draws whitewater (Shaders/Whitewater/WhitewaterDrawing.hlsl): once after the water and, where the package copies the scene for the
+    /// water to refract, into that copy, where bubbles are seen.
     /// </summary>
-    sealed class WhitewaterDrawing : IBehindWater, IDisposable
+    internal sealed class WhitewaterDrawing : IBehindWater, IDisposable
     {
-        static readonly int Spacing = Shader.PropertyToID("_WhitewaterSpacing");
-        static readonly int Size = Shader.PropertyToID("_WhitewaterSize");
-        static readonly int Shutter = Shader.PropertyToID("_WhitewaterShutter");
-        static readonly int Lace = Shader.PropertyToID("_WhitewaterLace");
+        private static readonly int Spacing = Shader.PropertyToID("_WhitewaterSpacing");
+        private static readonly int Size = Shader.PropertyToID("_WhitewaterSize");
+        private static readonly int Shutter = Shader.PropertyToID("_WhitewaterShutter");
+        private static readonly int Lace = Shader.PropertyToID("_WhitewaterLace");
 
         // How long the camera's shutter is open for spray [s].
-        const float ShutterTime = 1f / 400f;
+        private const float ShutterTime = 1f / 400f;
 
-        readonly MaterialPropertyBlock block = new MaterialPropertyBlock();
-        readonly SceneLighting lighting = new SceneLighting();
-        Material front;
-        Material behind;
-        Texture2D lace;
-        WhitewaterBuffers buffers;
-        DrawPlacement placement;
-        int preparedAt = -1;
+        private readonly MaterialPropertyBlock block = new MaterialPropertyBlock();
+        private readonly SceneLighting lighting = new SceneLighting();
+        private Material front;
+        private Material behind;
+        private Texture2D lace;
+        private WhitewaterBuffers buffers;
+        private DrawPlacement placement;
+        private int preparedAt = -1;
 
         /// <exception cref="FluidDeviceException">A shader is missing, or the device cannot run it.</exception>
         public WhitewaterDrawing(FluidShaderSet shaders)
@@ -102,7 +102,7 @@ namespace SphFluid
             OwnedObject.Destroy(ref lace);
         }
 
-        void DestroyMaterials()
+        private void DestroyMaterials()
         {
             OwnedObject.Destroy(ref front);
             OwnedObject.Destroy(ref behind);

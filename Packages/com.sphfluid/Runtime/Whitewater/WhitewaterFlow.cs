@@ -6,29 +6,33 @@ namespace SphFluid
 {
     /// <summary>
     /// Spray, foam and bubbles of one liquid (Ihmsen, Akinci, Akinci and Teschner 2012): once a frame they move, and the liquid makes
-    /// more. The liquid does not feel them. The same liquid has the same whitewater to the bit, as long as it is stepped in the same frames.
+    /// more. The liquid does not feel them. The same liquid has the same whitewater to the bit, as long as it is stepped in the same
+    /// frames.
     /// </summary>
-    sealed class WhitewaterFlow : IDisposable
+    internal sealed class WhitewaterFlow : IDisposable
     {
         // Of a piece over that of foam on still water: bubbles age half as fast.
-        const double LongestLife = 2.0;
+        private const double LongestLife = 2.0;
 
-        static readonly uint[] Zeros = new uint[WhitewaterBuffers.StateSlots];
+        private static readonly uint[] Zeros = new uint[WhitewaterBuffers.StateSlots];
 
-        readonly WhitewaterPotentialsPass potentials;
-        readonly WhitewaterMotionPass motion;
-        readonly WhitewaterListPass list;
-        readonly NumberReadback readback;
-        readonly CommandBuffer cmd = new CommandBuffer { name = "Fluid Whitewater" };
-        FluidSolver liquid;
-        int particleChanges;
-        double time, moved;
-        long steps;
+        private readonly WhitewaterPotentialsPass potentials;
+        private readonly WhitewaterMotionPass motion;
+        private readonly WhitewaterListPass list;
+        private readonly NumberReadback readback;
+        private readonly CommandBuffer cmd = new CommandBuffer { name = "Fluid Whitewater" };
+        private FluidSolver liquid;
+        private int particleChanges;
+        private double time, moved;
+        private long steps;
 
         /// <exception cref="FluidDeviceException">The device cannot run a kernel.</exception>
         public WhitewaterFlow(FluidShaderSet shaders)
         {
-            foreach (string shortfall in ShaderGroup.Whitewater.Shortfalls(DeviceCapabilities.Query())) throw new FluidDeviceException(shortfall);
+            foreach (string shortfall in ShaderGroup.Whitewater.Shortfalls(DeviceCapabilities.Query()))
+            {
+                throw new FluidDeviceException(shortfall);
+            }
             potentials = new WhitewaterPotentialsPass(shaders);
             motion = new WhitewaterMotionPass(shaders);
             list = new WhitewaterListPass(shaders);
@@ -45,8 +49,8 @@ namespace SphFluid
         public long GpuBytes => Buffers?.Bytes ?? 0;
 
         /// <summary>
-        /// Brings the whitewater to the liquid's present state. Nothing is done where no time has passed; another liquid, one that was put in the
-        /// place of the present, and another capacity begin without any.
+        /// Brings the whitewater to the liquid's present state. Nothing is done where no time has passed; another liquid, one that was put
+        /// in the place of the present, and another capacity begin without any.
         /// </summary>
         /// <param name="solver">The liquid.</param>
         /// <param name="now">Its time since the start [s], rest without steps included.</param>
@@ -54,8 +58,11 @@ namespace SphFluid
         /// <exception cref="FluidDeviceException">The device has too little memory.</exception>
         public void Advance(FluidSolver solver, double now, in WhitewaterSettings settings)
         {
-            if (solver != liquid || solver.ParticleChanges != particleChanges || now < time || Buffers == null || Buffers.Capacity != settings.Capacity)
+            if (solver != liquid || solver.ParticleChanges != particleChanges || now < time || Buffers == null ||
+                Buffers.Capacity != settings.Capacity)
+            {
                 Begin(solver, now, settings.Capacity);
+            }
             var duration = (float)(now - time);
             if (!(duration > 0f)) return;
             time = now;
@@ -83,7 +90,7 @@ namespace SphFluid
             Buffers = null;
         }
 
-        void Begin(FluidSolver solver, double now, int capacity)
+        private void Begin(FluidSolver solver, double now, int capacity)
         {
             liquid = solver;
             particleChanges = solver.ParticleChanges;
@@ -101,7 +108,7 @@ namespace SphFluid
             Buffers.DrawArguments.SetData(new uint[] { 0, 1, 0, 0 });
         }
 
-        void Record(CommandBuffer cmd, FluidSolver solver, in WhitewaterSettings settings, float duration)
+        private void Record(CommandBuffer cmd, FluidSolver solver, in WhitewaterSettings settings, float duration)
         {
             solver.RecordNeighbourSetup(cmd);
             cmd.SetBufferData((GraphicsBuffer)Buffers.State, Zeros, 0, WhitewaterBuffers.FirstOfFrame, WhitewaterBuffers.SlotsOfFrame);

@@ -3,21 +3,21 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>Rebuilds the list of whitewater: what is left of it, then what the liquid adds.</summary>
-    sealed class WhitewaterListPass : ComputePass
+    internal sealed class WhitewaterListPass : ComputePass
     {
-        const int ScanThreads = 256;
+        private const int ScanThreads = 256;
 
-        static readonly int Particles = Id("_Particles");
-        static readonly int Capacity = Id("_Capacity");
-        static readonly int SurvivorGroups = Id("_SurvivorGroups");
-        static readonly int GroupTotal = Id("_GroupTotal");
-        static readonly int VerticesPerPiece = Id("_VerticesPerPiece");
-        static readonly int Step = Id("_Step");
-        static readonly int Spacing = Id("_Spacing");
-        static readonly int Duration = Id("_Duration");
-        static readonly int FoamLife = Id("_FoamLife");
+        private static readonly int Particles = Id("_Particles");
+        private static readonly int Capacity = Id("_Capacity");
+        private static readonly int SurvivorGroups = Id("_SurvivorGroups");
+        private static readonly int GroupTotal = Id("_GroupTotal");
+        private static readonly int VerticesPerPiece = Id("_VerticesPerPiece");
+        private static readonly int Step = Id("_Step");
+        private static readonly int Spacing = Id("_Spacing");
+        private static readonly int Duration = Id("_Duration");
+        private static readonly int FoamLife = Id("_FoamLife");
 
-        readonly ComputeKernel survivors, births, scan, list, bear;
+        private readonly ComputeKernel survivors, births, scan, list, bear;
 
         public WhitewaterListPass(FluidShaderSet shaders)
             : base(shaders, "WhitewaterList")
@@ -66,7 +66,7 @@ namespace SphFluid
             }
         }
 
-        static void SetCommon(CommandBuffer cmd, ComputeKernel kernel, WhitewaterBuffers buffers, FluidSolver solver)
+        private static void SetCommon(CommandBuffer cmd, ComputeKernel kernel, WhitewaterBuffers buffers, FluidSolver solver)
         {
             kernel.Set(cmd, buffers.Groups);
             kernel.Set(cmd, buffers.State);
@@ -75,13 +75,13 @@ namespace SphFluid
             kernel.SetInt(cmd, GroupTotal, buffers.GroupTotal(solver.ParticleCount));
         }
 
-        static void SetSurvivors(CommandBuffer cmd, ComputeKernel kernel, WhitewaterBuffers buffers, FluidSolver solver)
+        private static void SetSurvivors(CommandBuffer cmd, ComputeKernel kernel, WhitewaterBuffers buffers, FluidSolver solver)
         {
             SetCommon(cmd, kernel, buffers, solver);
             kernel.Set(cmd, buffers.Present);
         }
 
-        static void SetBirths(CommandBuffer cmd, ComputeKernel kernel, WhitewaterBuffers buffers, FluidSolver solver, int step)
+        private static void SetBirths(CommandBuffer cmd, ComputeKernel kernel, WhitewaterBuffers buffers, FluidSolver solver, int step)
         {
             SetCommon(cmd, kernel, buffers, solver);
             kernel.SetBuffer(cmd, Particles, solver.Particles);

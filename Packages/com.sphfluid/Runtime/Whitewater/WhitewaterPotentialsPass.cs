@@ -3,8 +3,10 @@ using UnityEngine.Rendering;
 
 namespace SphFluid
 {
-    /// <summary>How much air each particle of the liquid takes in, and the births that it asks for (Ihmsen et al. 2012, section 3.1).</summary>
-    sealed class WhitewaterPotentialsPass : ComputePass
+    /// <summary>
+    /// How much air each particle of the liquid takes in, and the births that it asks for (Ihmsen et al. 2012, section 3.1).
+    /// </summary>
+    internal sealed class WhitewaterPotentialsPass : ComputePass
     {
         /// <summary>Births of a particle whose trapped air and energy are at their limits [1/s].</summary>
         public const float AirRate = 90f;
@@ -15,16 +17,18 @@ namespace SphFluid
         /// <summary>Time that the running means of the largest potentials go over [s].</summary>
         public const float MeanTime = 2f;
 
-        /// <summary>Upper limits are no lower: trapped air [m/s], wave crest, energy [J/kg]. Jets take in air from about 1 m/s on, 0.5 J/kg.</summary>
+        /// <summary>
+        /// Upper limits are no lower: trapped air [m/s], wave crest, energy [J/kg]. Jets take in air from about 1 m/s on, 0.5 J/kg.
+        /// </summary>
         public static readonly Vector3 LeastLimits = new Vector3(8f, 1.5f, 1f);
 
-        static readonly int SupportRadius = Id("_SupportRadius");
-        static readonly int Duration = Id("_Duration");
-        static readonly int BirthRates = Id("_BirthRates");
-        static readonly int LeastLimitsId = Id("_LeastLimits");
-        static readonly int MeanTimeId = Id("_MeanTime");
+        private static readonly int SupportRadius = Id("_SupportRadius");
+        private static readonly int Duration = Id("_Duration");
+        private static readonly int BirthRates = Id("_BirthRates");
+        private static readonly int LeastLimitsId = Id("_LeastLimits");
+        private static readonly int MeanTimeId = Id("_MeanTime");
 
-        readonly ComputeKernel potentials, crests, limits;
+        private readonly ComputeKernel potentials, crests, limits;
 
         public WhitewaterPotentialsPass(FluidShaderSet shaders)
             : base(shaders, "WhitewaterPotentials")
@@ -63,7 +67,7 @@ namespace SphFluid
             }
         }
 
-        static void SetLiquid(CommandBuffer cmd, ComputeKernel kernel, FluidSolver solver)
+        private static void SetLiquid(CommandBuffer cmd, ComputeKernel kernel, FluidSolver solver)
         {
             solver.BindNeighbours(cmd, kernel);
             solver.BindNeighbourList(cmd, kernel);

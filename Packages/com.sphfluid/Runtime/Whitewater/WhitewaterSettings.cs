@@ -1,7 +1,7 @@
 namespace SphFluid
 {
     /// <summary>What a liquid's whitewater is to be.</summary>
-    readonly struct WhitewaterSettings
+    internal readonly struct WhitewaterSettings
     {
         /// <param name="capacity">Most pieces at once, 1 or more.</param>
         /// <param name="amount">Times as many births as by default, 0 or more.</param>

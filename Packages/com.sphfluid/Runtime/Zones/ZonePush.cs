@@ -5,8 +5,8 @@ namespace SphFluid
     /// <summary>A velocity that the liquid in a sphere gets once; world space, SI.</summary>
     internal readonly struct ZonePush
     {
-        readonly Vector3 centre, velocity;
-        readonly float radius, outward;
+        private readonly Vector3 centre, velocity;
+        private readonly float radius, outward;
 
         /// <summary>Along one direction, and away from the centre; towards it where negative.</summary>
         public ZonePush(Vector3 centre, float radius, Vector3 velocity, float outward)

@@ -15,7 +15,9 @@ namespace SphFluid
         public Quaternion Rotation;
         public FluidForceKind Kind;
 
-        /// <summary>Box, sphere or capsule; <see cref="FluidZoneShape.Collider"/> where the object has no collider of such a shape.</summary>
+        /// <summary>
+        /// Box, sphere or capsule; <see cref="FluidZoneShape.Collider"/> where the object has no collider of such a shape.
+        /// </summary>
         public FluidZoneShape Shape;
 
         /// <summary>From the zone's axes, along which it pushes, to those of its shape.</summary>
@@ -61,7 +63,9 @@ namespace SphFluid
         /// <summary>How far it reaches from its position [m].</summary>
         public readonly float Reach => new Vector3(Core.x, Core.y, Core.z).magnitude + Core.w;
 
-        /// <summary>Speed that liquid can get in it [m/s], on a straight path: v² + 2 a L over the length on which it pushes; of drag, its wind.</summary>
+        /// <summary>
+        /// Speed that liquid can get in it [m/s], on a straight path: v² + 2 a L over the length on which it pushes; of drag, its wind.
+        /// </summary>
         /// <param name="speed">Speed with which it comes in [m/s].</param>
         /// <param name="domain">Edge lengths of the domain [m].</param>
         /// <param name="simulation">Rotation of the simulation.</param>
@@ -123,7 +127,7 @@ namespace SphFluid
             return zone;
         }
 
-        readonly Vector4 Core => Shape switch
+        private readonly Vector4 Core => Shape switch
         {
             FluidZoneShape.Sphere => new Vector4(0f, 0f, 0f, 0.5f * Size.x),
             FluidZoneShape.Capsule => new Vector4(0f, Mathf.Max(0f, 0.5f * (Size.y - Size.x)), 0f, 0.5f * Size.x),

@@ -38,9 +38,11 @@ Shader "SPH Fluid Samples/Heated Particles"
             {
                 const FluidParticle particle = _FluidParticles[vertexId / 6u];
                 const uint corner = vertexId % 6u;
-                const float2 across = float2(corner == 2u || corner == 4u || corner == 5u ? 1.0 : -1.0, corner == 1u || corner == 2u || corner == 4u ? 1.0 : -1.0);
+                const float2 across = float2(corner == 2u || corner == 4u || corner == 5u ? 1.0 : -1.0,
+                    corner == 1u || corner == 2u || corner == 4u ? 1.0 : -1.0);
                 const float size = FluidIsAlive(particle) ? 0.6 * _FluidSpacing : 0.0; // what left covers nothing
-                const float3 world = FluidToWorld(particle.Position) + size * (across.x * UNITY_MATRIX_V[0].xyz + across.y * UNITY_MATRIX_V[1].xyz);
+                const float3 world = FluidToWorld(particle.Position) +
+                    size * (across.x * UNITY_MATRIX_V[0].xyz + across.y * UNITY_MATRIX_V[1].xyz);
                 Dot result;
                 result.clipPosition = mul(UNITY_MATRIX_VP, float4(world, 1.0));
                 result.across = across;

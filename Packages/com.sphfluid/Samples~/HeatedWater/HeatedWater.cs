@@ -4,39 +4,40 @@ using UnityEngine.Rendering;
 namespace SphFluid.Samples
 {
     /// <summary>
-    /// A temperature for each particle of a liquid, kept and computed here: a hot stone warms what touches it, and warmth goes on to neighbours. The liquid's
-    /// particles are only read. Each has the number that it started with as Id, by which its temperature is found, so this is for liquids without emitters.
+    /// A temperature for each particle of a liquid, kept and computed here: a hot stone warms what touches it, and warmth goes on to
+    /// neighbours. The liquid's particles are only read. Each has the number that it started with as Id, by which its temperature is found,
+    /// so this is for liquids without emitters.
     /// </summary>
     public sealed class HeatedWater : MonoBehaviour
     {
-        const int GroupSize = 64;
+        private const int GroupSize = 64;
 
         [SerializeField, Tooltip("The liquid.")]
-        FluidSimulation simulation;
+        private FluidSimulation simulation;
 
         [SerializeField, Tooltip("What is hot: a sphere whose diameter is its scale along x.")]
-        Transform stone;
+        private Transform stone;
 
         [SerializeField, Tooltip("HeatParticles.compute")]
-        ComputeShader kernels;
+        private ComputeShader kernels;
 
         [SerializeField, Tooltip("HeatedParticles.shader")]
-        Shader shader;
+        private Shader shader;
 
         [SerializeField, Min(0f), Tooltip("How fast the stone warms what lies next to it [1/s].")]
-        float heating = 12f;
+        private float heating = 12f;
 
         [SerializeField, Min(0f), Tooltip("How fast neighbours take each other's temperature [1/s].")]
-        float conduction = 3f;
+        private float conduction = 3f;
 
-        CommandBuffer commands;
-        MaterialPropertyBlock properties;
-        Material material;
-        GraphicsBuffer temperatures, next;
-        int kernel;
-        double heatedUntil;
+        private CommandBuffer commands;
+        private MaterialPropertyBlock properties;
+        private Material material;
+        private GraphicsBuffer temperatures, next;
+        private int kernel;
+        private double heatedUntil;
 
-        void OnEnable()
+        private void OnEnable()
         {
             commands = new CommandBuffer { name = "Heated Water" };
             properties = new MaterialPropertyBlock();
@@ -46,7 +47,7 @@ namespace SphFluid.Samples
             simulation.Updated += HeatAndDraw;
         }
 
-        void OnDisable()
+        private void OnDisable()
         {
             simulation.Started -= Forget;
             simulation.Updated -= HeatAndDraw;
@@ -55,14 +56,14 @@ namespace SphFluid.Samples
             Destroy(material);
         }
 
-        void Forget(FluidSimulation started)
+        private void Forget(FluidSimulation started)
         {
             temperatures?.Dispose();
             next?.Dispose();
             temperatures = next = null;
         }
 
-        void HeatAndDraw(FluidSimulation updated)
+        private void HeatAndDraw(FluidSimulation updated)
         {
             if (!updated.TryGetBuffers(out FluidBuffers fluid)) return;
             if (temperatures == null) StartCold(fluid.ParticleCount);
@@ -72,7 +73,7 @@ namespace SphFluid.Samples
             Draw(fluid);
         }
 
-        void StartCold(int particles)
+        private void StartCold(int particles)
         {
             temperatures = new GraphicsBuffer(GraphicsBuffer.Target.Structured, particles, sizeof(float));
             next = new GraphicsBuffer(GraphicsBuffer.Target.Structured, particles, sizeof(float));
@@ -80,7 +81,7 @@ namespace SphFluid.Samples
             heatedUntil = simulation.SimulatedTime;
         }
 
-        void Heat(in FluidBuffers fluid, float seconds)
+        private void Heat(in FluidBuffers fluid, float seconds)
         {
             commands.Clear();
             fluid.Bind(commands, kernels, kernel);
@@ -96,7 +97,7 @@ namespace SphFluid.Samples
             (temperatures, next) = (next, temperatures);
         }
 
-        void Draw(in FluidBuffers fluid)
+        private void Draw(in FluidBuffers fluid)
         {
             fluid.Bind(properties);
             properties.SetBuffer("_Temperatures", temperatures);

@@ -6,17 +6,17 @@ namespace SphFluid.Samples
     public sealed class Paddle : MonoBehaviour
     {
         [SerializeField, Min(0f), Tooltip("Half the distance from one end to the other [m].")]
-        float stroke = 0.07f;
+        private float stroke = 0.07f;
 
         [SerializeField, Min(0f), Tooltip("Strokes to and fro a second [1/s].")]
-        float frequency = 0.9f;
+        private float frequency = 0.9f;
 
-        Vector3 middle;
-        float time;
+        private Vector3 middle;
+        private float time;
 
-        void Start() => middle = transform.position;
+        private void Start() => middle = transform.position;
 
-        void Update()
+        private void Update()
         {
             time += Time.deltaTime;
             float gentle = Mathf.SmoothStep(0f, 1f, frequency * time);

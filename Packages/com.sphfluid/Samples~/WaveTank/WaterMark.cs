@@ -6,9 +6,9 @@ namespace SphFluid.Samples
     public sealed class WaterMark : MonoBehaviour
     {
         [SerializeField, Tooltip("A sensor of kind Level, upright.")]
-        FluidSensor sensor;
+        private FluidSensor sensor;
 
-        void Update()
+        private void Update()
         {
             if (!sensor.HasValue) return;
             Vector3 place = transform.position;

@@ -3,34 +3,39 @@ using UnityEngine;
 
 namespace SphFluid.Samples
 {
-    /// <summary>A figure in a raincoat and a hat that sways: a skinned mesh, made when the scene begins, and the bones of its spine.</summary>
+    /// <summary>
+    /// A figure in a raincoat and a hat that sways: a skinned mesh, made when the scene begins, and the bones of its spine.
+    /// </summary>
     [RequireComponent(typeof(SkinnedMeshRenderer))]
     public sealed class Figure : MonoBehaviour
     {
-        const int Sides = 28;
+        private const int Sides = 28;
 
         // Radius and height of the outline from the feet to the tip of the hat [m].
-        static readonly Vector2[] Outline =
+        private static readonly Vector2[] Outline =
         {
-            new Vector2(0f, 0f), new Vector2(0.12f, 0f), new Vector2(0.15f, 0.02f), new Vector2(0.14f, 0.12f), new Vector2(0.12f, 0.24f), new Vector2(0.105f, 0.34f),
-            new Vector2(0.11f, 0.42f), new Vector2(0.12f, 0.48f), new Vector2(0.105f, 0.54f), new Vector2(0.06f, 0.575f), new Vector2(0.05f, 0.6f), new Vector2(0.075f, 0.63f),
-            new Vector2(0.085f, 0.67f), new Vector2(0.17f, 0.655f), new Vector2(0.215f, 0.64f), new Vector2(0.22f, 0.65f), new Vector2(0.17f, 0.68f), new Vector2(0.09f, 0.705f),
+            new Vector2(0f, 0f), new Vector2(0.12f, 0f), new Vector2(0.15f, 0.02f), new Vector2(0.14f, 0.12f), new Vector2(0.12f, 0.24f),
+            new Vector2(0.105f, 0.34f),
+            new Vector2(0.11f, 0.42f), new Vector2(0.12f, 0.48f), new Vector2(0.105f, 0.54f), new Vector2(0.06f, 0.575f),
+            new Vector2(0.05f, 0.6f), new Vector2(0.075f, 0.63f),
+            new Vector2(0.085f, 0.67f), new Vector2(0.17f, 0.655f), new Vector2(0.215f, 0.64f), new Vector2(0.22f, 0.65f),
+            new Vector2(0.17f, 0.68f), new Vector2(0.09f, 0.705f),
             new Vector2(0.085f, 0.75f), new Vector2(0.06f, 0.79f), new Vector2(0f, 0.8f),
         };
 
-        static readonly float[] Joints = { 0f, 0.2f, 0.4f, 0.6f }; // heights of the bones, m
+        private static readonly float[] Joints = { 0f, 0.2f, 0.4f, 0.6f }; // heights of the bones, m
 
         [SerializeField, Min(0f), Tooltip("Swings to and fro a second [1/s].")]
-        float frequency = 0.6f;
+        private float frequency = 0.6f;
 
         [SerializeField, Range(0f, 30f), Tooltip("How far each bone turns [degrees].")]
-        float swing = 7f;
+        private float swing = 7f;
 
-        Transform[] bones;
-        Mesh mesh;
-        float time;
+        private Transform[] bones;
+        private Mesh mesh;
+        private float time;
 
-        void Awake()
+        private void Awake()
         {
             bones = new Transform[Joints.Length];
             for (int i = 0; i < bones.Length; i++)
@@ -48,21 +53,22 @@ namespace SphFluid.Samples
             skin.localBounds = new Bounds(0.4f * Vector3.up, 1.6f * Vector3.one);
         }
 
-        void Update()
+        private void Update()
         {
             time += Time.deltaTime;
             float gentle = Mathf.SmoothStep(0f, 1f, time);
             for (int i = 1; i < bones.Length; i++)
             {
                 float phase = 2f * Mathf.PI * frequency * time - 0.7f * i;
-                bones[i].localRotation = Quaternion.Euler(0.6f * gentle * swing * Mathf.Sin(2f * phase), gentle * swing * Mathf.Sin(phase), gentle * swing * Mathf.Sin(phase));
+                bones[i].localRotation = Quaternion.Euler(0.6f * gentle * swing * Mathf.Sin(2f * phase), gentle * swing * Mathf.Sin(phase),
+                    gentle * swing * Mathf.Sin(phase));
             }
         }
 
-        void OnDestroy() => Destroy(mesh);
+        private void OnDestroy() => Destroy(mesh);
 
         // Closed: a ring of corners for each point of the outline, and one corner at each end.
-        static Mesh MakeMesh()
+        private static Mesh MakeMesh()
         {
             int rings = Outline.Length - 2;
             var vertices = new Vector3[Sides * rings + 2];
@@ -106,7 +112,7 @@ namespace SphFluid.Samples
         }
 
         // Between the bones below and above a height.
-        static BoneWeight WeightAt(float height)
+        private static BoneWeight WeightAt(float height)
         {
             int below = Joints.Length - 1;
             while (below > 0 && Joints[below] > height) below--;

@@ -5,21 +5,21 @@ namespace SphFluid.Samples
     /// <summary>Rain from a rectangle round this object: drops at random places, the same in every run.</summary>
     public sealed class Rain : MonoBehaviour
     {
-        [SerializeField] FluidSimulation simulation;
+        [SerializeField] private FluidSimulation simulation;
 
         [SerializeField, Tooltip("Edge lengths of the rectangle along x and z [m].")]
-        Vector2 size = new Vector2(0.7f, 0.7f);
+        private Vector2 size = new Vector2(0.7f, 0.7f);
 
         [SerializeField, Min(0f), Tooltip("Drops a second [1/s].")]
-        float rate = 500f;
+        private float rate = 500f;
 
         [SerializeField, Min(0f), Tooltip("Speed of the drops downwards [m/s].")]
-        float speed = 3f;
+        private float speed = 3f;
 
-        readonly System.Random random = new System.Random(1);
-        float due;
+        private readonly System.Random random = new System.Random(1);
+        private float due;
 
-        void Update()
+        private void Update()
         {
             if (!simulation.IsRunning) return;
             due += rate * Time.deltaTime;
@@ -31,6 +31,6 @@ namespace SphFluid.Samples
             }
         }
 
-        float Next() => (float)random.NextDouble() - 0.5f;
+        private float Next() => (float)random.NextDouble() - 0.5f;
     }
 }

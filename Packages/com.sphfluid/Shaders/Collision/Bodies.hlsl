@@ -25,7 +25,8 @@
 // Mirrored by CollisionBody.cs; 192 bytes.
 struct CollisionBody
 {
-    float4 Rotation0; // body frame to simulation space at the start of the frame, a quaternion; of a body that the liquid moves: of the step
+    // body frame to simulation space at the start of the frame, a quaternion; of a body that the liquid moves: of the step
+    float4 Rotation0;
     float4 Rotation1; // at its end
     float3 Position0; // m
     uint FirstCell;   // of _BodyCells

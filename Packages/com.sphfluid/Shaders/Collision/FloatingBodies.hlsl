@@ -1,7 +1,8 @@
 #ifndef SPHFLUID_FLOATING_BODIES
 #define SPHFLUID_FLOATING_BODIES
 
-// Rigid bodies that the liquid moves (FloatingTypes.cs), in simulation space. The frame of a body has its origin at the centre of mass and the principal axes.
+// Rigid bodies that the liquid moves (FloatingTypes.cs), in simulation space. The frame of a body has its origin at the centre of mass and
+// the principal axes.
 
 #define IMPULSE_WORDS 12u // a body: low and high word of x, y, z of the impulse, then of the angular impulse
 

@@ -1,5 +1,5 @@
-// Camera, light and lighting that the drawings share, for every render pipeline. No include of any pipeline: the camera's matrices have the same
-// names in all of them, the light comes from the component (SceneLighting.cs).
+// Camera, light and lighting that the drawings share, for every render pipeline. No include of any pipeline: the camera's matrices have the
+// same names in all of them, the light comes from the component (SceneLighting.cs).
 #ifndef SPHFLUID_SHADING_INCLUDED
 #define SPHFLUID_SHADING_INCLUDED
 
@@ -132,7 +132,8 @@ float3 FluidDiffuse(float3 albedo, float3 normal, float sun)
 }
 
 // Blinn-Phong with its energy factor (n + 8) / 8; smoothness 0...1 stands for exponents 2...2048.
-// variance: of the normal over a pixel; it lowers the exponent, so that highlights smaller than a pixel do not sparkle (Kaplanyan et al. 2016).
+// variance: of the normal over a pixel; it lowers the exponent, so that highlights smaller than a pixel do not sparkle (Kaplanyan et al.
+// 2016).
 float3 FluidHighlight(float smoothness, float3 normal, float3 view, float variance)
 {
     float3 light = _FluidLightDirection.xyz;

@@ -1,5 +1,5 @@
-// Panes of a tank, as in the samples: thin, clear, a little brighter where they are seen edge on. No light of the scene is asked for, so that
-// they look alike in every pipeline.
+// Panes of a tank, as in the samples: thin, clear, a little brighter where they are seen edge on. No light of the scene is asked for, so
+// that they look alike in every pipeline.
 Shader "SPH Fluid/Glass"
 {
     Properties

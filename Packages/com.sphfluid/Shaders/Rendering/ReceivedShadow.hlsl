@@ -1,12 +1,13 @@
-// How much of the main light reaches a point, all of it in HDRP. No pipeline hands its shadows to transparent things, so the liquid reads the shadow map itself.
-// Built-in: the map that MainLightShadows.cs keeps, placed by what ShadowConstants.hlsl copied. URP: its own map.
+// How much of the main light reaches a point, all of it in HDRP. No pipeline hands its shadows to transparent things, so the liquid reads
+// the shadow map itself. Built-in: the map that MainLightShadows.cs keeps, placed by what ShadowConstants.hlsl copied. URP: its own map.
 #ifndef SPHFLUID_RECEIVED_SHADOW_INCLUDED
 #define SPHFLUID_RECEIVED_SHADOW_INCLUDED
 
 #include "FluidShading.hlsl"
 #include "UniversalShadows.hlsl"
 
-float4 _FluidReceived;     // x: 1 if the drawing receives shadows; y: particle spacing [m]; z: strength of the shadow of the water around it
+// x: 1 if the drawing receives shadows; y: particle spacing [m]; z: strength of the shadow of the water around it
+float4 _FluidReceived;
 float4 _FluidShadowSource; // x: where shadows come from, SHADOW_*
 
 Texture2D<float> _FluidShadowMap;
@@ -18,8 +19,9 @@ Texture2D<float4> _FluidShadowConstants; // 24 pixels: rows of the four matrices
 #define SHADOW_BY_SPHERES 3.0
 #define SHADOW_UNIVERSAL 4.0
 
-// A point is tested beside its surface, or the surface would shade itself where the map steps: as far along the normal as three texels across rise
-// over a slope, which is what the filter reaches, and a quarter of the spacing towards the light, for the bumps that particles leave.
+// A point is tested beside its surface, or the surface would shade itself where the map steps: as far along the normal as three texels
+// across rise over a slope, which is what the filter reaches, and a quarter of the spacing towards the light, for the bumps that particles
+// leave.
 #define FILTER_REACH 3.0
 #define SURFACE_LIFT 0.25
 
@@ -43,7 +45,8 @@ ShadowCascade BuiltInCascade(float3 world, float eyeDepth)
         {
             float4 sphere = _FluidShadowConstants.Load(int3(16 + i, 0, 0));
             float3 away = world - sphere.xyz;
-            bool isInside = _FluidShadowSource.x == SHADOW_BY_SPHERES ? dot(away, away) < sphere.w : eyeDepth >= from[i] && eyeDepth < to[i];
+            bool isInside = _FluidShadowSource.x == SHADOW_BY_SPHERES ? dot(away, away) < sphere.w
+                : eyeDepth >= from[i] && eyeDepth < to[i];
             cascade = isInside ? i : cascade;
             isThere = isThere || isInside;
         }
@@ -95,8 +98,8 @@ float4 LitTexels(float2 corner, float depth)
     return lit;
 }
 
-// The mean of three by three bilinear comparisons, a texel apart, of four by four texels: the pattern of water's partial shadow has a period of three
-// (WaterShading.hlsl), and comes out even.
+// The mean of three by three bilinear comparisons, a texel apart, of four by four texels: the pattern of water's partial shadow has a
+// period of three (WaterShading.hlsl), and comes out even.
 float LitShare(float3 place, float2 size)
 {
     float2 first = floor(place.xy * size - 0.5);
@@ -133,14 +136,15 @@ float FilledTexels(float strength)
 }
 
 // 1 in the light, less in its shadow, and 1 where there is none.
-// normal: of the surface, or zero; lift: towards the light, in spacings; water: strength of the shadow of the water around, 0 to 1. What its pattern
-// takes is given back, or water would darken itself; only a shadow as of a solid thing, strength 1, darkens what lies under it.
+// normal: of the surface, or zero; lift: towards the light, in spacings; water: strength of the shadow of the water around, 0 to 1. What
+// its pattern takes is given back, or water would darken itself; only a shadow as of a solid thing, strength 1, darkens what lies under it.
 float ReceivedSun(float3 world, float3 normal, float lift, float water)
 {
     float sun = 1.0;
 #if !defined(FLUID_HDRP)
     [branch]
-    if (_FluidReceived.x > 0.5 && _FluidShadowSource.x != SHADOW_NONE && !(_FluidShadowSource.x == SHADOW_UNIVERSAL && _MainLightShadowParams.x <= 0.0))
+    if (_FluidReceived.x > 0.5 && _FluidShadowSource.x != SHADOW_NONE &&
+        !(_FluidShadowSource.x == SHADOW_UNIVERSAL && _MainLightShadowParams.x <= 0.0))
     {
         float eyeDepth = -dot(unity_MatrixV[2], float4(world, 1.0));
         ShadowCascade cascade;

@@ -27,7 +27,8 @@ float TileShare(float2 place, float2 width)
     return 0.5 - 0.5 * sides.x * sides.y;
 }
 
-// How much of a pixel lies between tiles: a part of each tile's edge on either axis, averaged over the pixel. E.g. 0.19 far away for a part of 0.1.
+// How much of a pixel lies between tiles: a part of each tile's edge on either axis, averaged over the pixel. E.g. 0.19 far away for a part
+// of 0.1.
 float GroutShare(float2 place, float2 width, float part)
 {
     float2 lower = place - 0.5 * width + 0.5 * part;
@@ -48,7 +49,8 @@ float3 SceneryColour(float3 world, float3 normal)
     return _TileSize > 0.0 ? tiles : _Color.rgb;
 }
 
-// How much of the fading colour is seen from a distance: 0 nearby, 0.63 at the set distance, 1 far beyond it, where the ground meets the sky.
+// How much of the fading colour is seen from a distance: 0 nearby, 0.63 at the set distance, 1 far beyond it, where the ground meets the
+// sky.
 float SceneryFade(float3 world, float3 eye)
 {
     float3 away = (world - eye) / max(_FadeDistance, 1e-3);

@@ -1,4 +1,5 @@
-// Sky, sun and clouds by direction. What is seen depends on nothing but the direction, so that a reflection map of it agrees with the picture.
+// Sky, sun and clouds by direction. What is seen depends on nothing but the direction, so that a reflection map of it agrees with the
+// picture.
 #ifndef SPHFLUID_SKY_INCLUDED
 #define SPHFLUID_SKY_INCLUDED
 

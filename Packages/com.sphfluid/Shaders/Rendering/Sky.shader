@@ -1,5 +1,6 @@
-// A clear sky with a sun and soft clouds, for the Lighting window's Skybox Material: something worth mirroring for water. Drawn by the Built-in pipeline and by
-// URP, which hand over the scene's sun as they do to Unity's own skyboxes; HDRP has skies of its own and draws no skybox material.
+// A clear sky with a sun and soft clouds, for the Lighting window's Skybox Material: something worth mirroring for water. Drawn by the
+// Built-in pipeline and by URP, which hand over the scene's sun as they do to Unity's own skyboxes; HDRP has skies of its own and draws no
+// skybox material.
 Shader "SPH Fluid/Sky"
 {
     Properties

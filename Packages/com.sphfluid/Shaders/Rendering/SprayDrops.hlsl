@@ -78,7 +78,8 @@ DropFragment ExpandDrop(uint vertexId : SV_VertexID)
     float rank = ((float)k - size.y) / (float)_DropsPerParticle;
     float grown = isMist ? particle.spray : saturate((particle.spray - rank) * 5.0);
     float radius = _SpraySpacing * (isMist ? 1.5 : lerp(0.02, 0.14, size.x * size.x * size.x * size.x)) * grown;
-    float3 apart = InBall(place) * (_SpraySpacing * (0.35 + particle.spray)) + particle.velocity * ((size.z - 0.5) * TRAIL * particle.spray);
+    float3 apart = InBall(place) * (_SpraySpacing * (0.35 + particle.spray)) +
+        particle.velocity * ((size.z - 0.5) * TRAIL * particle.spray);
     float3 centre = particle.position + (isMist ? (float3)0.0 : apart);
     float3 streak = (particle.velocity + 0.25 * length(particle.velocity) * spread) * (isMist ? 0.0 : _SprayShutter);
 

@@ -1,5 +1,5 @@
-// The nearest water's depth before the water itself, where it is blended over the scene: else its layers would be blended in the order of their
-// triangles. FLUID_HDRP: see FluidShading.hlsl.
+// The nearest water's depth before the water itself, where it is blended over the scene: else its layers would be blended in the order of
+// their triangles. FLUID_HDRP: see FluidShading.hlsl.
 Shader "Hidden/SPH Fluid/Water Depth"
 {
     SubShader

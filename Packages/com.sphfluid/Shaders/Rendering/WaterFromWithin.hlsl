@@ -1,5 +1,5 @@
-// Water seen by a camera in it: the far face of the layer that holds the camera stands for the whole picture, as each line of sight meets it, before
-// the scene or behind. Through the surface one sees Snell's window, round it the surface mirrors the water.
+// Water seen by a camera in it: the far face of the layer that holds the camera stands for the whole picture, as each line of sight meets
+// it, before the scene or behind. Through the surface one sees Snell's window, round it the surface mirrors the water.
 #ifndef SPHFLUID_WATER_FROM_WITHIN_INCLUDED
 #define SPHFLUID_WATER_FROM_WITHIN_INCLUDED
 

@@ -117,9 +117,9 @@ float FirstLayerEnd(float2 screen)
     return FirstLayerEndOf(_FluidThickness.SampleLevel(sampler_PointClamp, ThicknessPlace(screen), 0.0));
 }
 
-// Where the nearest layer begins and ends, metres along the camera's axis. Before further layers it begins at or behind the place that is told, which
-// holds the water of them all; where faces lack partners that place is the camera. Worked example: a film from 1.90 to 1.91 m gives (1.90, 1.91),
-// with a layer from 2.5 to 2.6 m behind it (1.80, 1.91).
+// Where the nearest layer begins and ends, metres along the camera's axis. Before further layers it begins at or behind the place that is
+// told, which holds the water of them all; where faces lack partners that place is the camera. Worked example: a film from 1.90 to 1.91 m
+// gives (1.90, 1.91), with a layer from 2.5 to 2.6 m behind it (1.80, 1.91).
 float2 FirstLayerSpan(float2 screen)
 {
     float4 thickness = _FluidThickness.SampleLevel(sampler_PointClamp, ThicknessPlace(screen), 0.0);
@@ -127,8 +127,8 @@ float2 FirstLayerSpan(float2 screen)
     return float2(abs(thickness.y) < 0.5 ? end - thickness.x : 0.0, end);
 }
 
-// Whether a camera in the water sees a point of the picture that lies beyond the water's surface. The picture of the scene that the water refracts
-// holds it then, so that it is neither drawn twice nor where a straight line would meet it.
+// Whether a camera in the water sees a point of the picture that lies beyond the water's surface. The picture of the scene that the water
+// refracts holds it then, so that it is neither drawn twice nor where a straight line would meet it.
 bool IsBeyondSurfaceFromWithin(float2 screen, float depth)
 {
     return _FluidScene.x == WATER_SCENE_COPY && UnpairedFaces(screen) > 0.5 && depth > FirstLayerEnd(screen);
@@ -141,8 +141,8 @@ float FirstLayer(float2 screen, float front)
     return end > front - 2e-3 ? max(end - front, 0.0) : NOTHING_BEHIND;
 }
 
-// Water behind a point of the surface, metres along the camera's axis. A surface that is open at the walls, or a camera within the water, leaves
-// faces without a partner: the domain's wall, or the camera, takes its place.
+// Water behind a point of the surface, metres along the camera's axis. A surface that is open at the walls, or a camera within the water,
+// leaves faces without a partner: the domain's wall, or the camera, takes its place.
 float WaterBehind(float3 world, float3 view, float alongAxis)
 {
     float2 sums = _FluidThickness.SampleLevel(sampler_LinearClamp, ThicknessPlace(WaterScreen(world)), 0.0).xy;

@@ -41,8 +41,8 @@ float2 RayScreen(WaterRay ray, float metres)
     return clipPosition.xy / clipPosition.w * float2(0.5, 0.5 * _ProjectionParams.x) + 0.5;
 }
 
-// How far the scene lies behind a point of the line, metres along the camera's axis; negative: in front, by more than pixels and their depths are
-// off: what stands at a wall, such as a tank's frame, is not in front of it.
+// How far the scene lies behind a point of the line, metres along the camera's axis; negative: in front, by more than pixels and their
+// depths are off: what stands at a wall, such as a tank's frame, is not in front of it.
 float GapBehind(WaterRay ray, float metres)
 {
     float depth = ray.front + ray.depthStep * metres;
@@ -56,16 +56,17 @@ struct MarchEnd
     bool isWhole; // whether it was followed to its end
 };
 
-// Share of a line to metres. curve 0: even steps over "longest"; 1: even steps on the screen for a line to infinity, half of which is "longest".
+// Share of a line to metres. curve 0: even steps over "longest"; 1: even steps on the screen for a line to infinity, half of which is
+// "longest".
 float MarchMetres(float share, float longest, float curve)
 {
     return longest * share / (1.0 - 0.99 * curve * share);
 }
 
-// Follows a line until the scene lies in front of it. Where the doubt between the last point before and the first behind shrinks as it is halved,
-// they belong to one thing, which is met between them. Where it does not, the line passes behind a thing's edge, and goes on where it is seen again, past
-// a thing that is thin; where it is not, it ends at the last point that is seen. Worked example: gaps of 0.3 m and -0.1 m belong to a slope if four
-// halvings leave a fall of 0.025 m, to an edge if they leave 0.37 m.
+// Follows a line until the scene lies in front of it. Where the doubt between the last point before and the first behind shrinks as it is
+// halved, they belong to one thing, which is met between them. Where it does not, the line passes behind a thing's edge, and goes on where
+// it is seen again, past a thing that is thin; where it is not, it ends at the last point that is seen. Worked example: gaps of 0.3 m and
+// -0.1 m belong to a slope if four halvings leave a fall of 0.025 m, to an edge if they leave 0.37 m.
 MarchEnd March(WaterRay ray, float longest, float curve, uint steps)
 {
     float seen = 0.0;

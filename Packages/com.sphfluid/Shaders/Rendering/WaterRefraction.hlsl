@@ -1,4 +1,5 @@
-// What is seen through the water: light is bent at the surface, runs through the nearest layer, and goes on as it came, or is mirrored by a wall.
+// What is seen through the water: light is bent at the surface, runs through the nearest layer, and goes on as it came, or is mirrored by a
+// wall.
 #ifndef SPHFLUID_WATER_REFRACTION_INCLUDED
 #define SPHFLUID_WATER_REFRACTION_INCLUDED
 
@@ -49,8 +50,9 @@ bool IsInLayer(WaterRay ray, float metres)
     return all(screen == saturate(screen)) && depth > span.x && depth < span.y;
 }
 
-// How far a line runs in the nearest layer, whose faces are known along lines of sight: ever longer steps go on while they stay in it, the last one
-// is halved, and the layer's far face there ends the line. Without steps, and where the layer has no far face, it is as long as "straight".
+// How far a line runs in the nearest layer, whose faces are known along lines of sight: ever longer steps go on while they stay in it, the
+// last one is halved, and the layer's far face there ends the line. Without steps, and where the layer has no far face, it is as long as
+// "straight".
 float LayerLength(WaterRay ray, float straight, float toWall)
 {
     uint tries = (uint)_FluidRefractionSteps.x / 3u;

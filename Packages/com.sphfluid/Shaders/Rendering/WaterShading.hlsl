@@ -41,8 +41,8 @@ float3 WaterInnerLight(float sun)
     return 0.5 * (FluidLampColour() * (saturate(_FluidLightDirection.y) * sun) + FluidAmbient(up));
 }
 
-// What is mirrored: the scene's reflection probe or sky where there is one, else the ambient light. Without lighting data Unity 6 hands over
-// a black sky.
+// What is mirrored: the scene's reflection probe or sky where there is one, else the ambient light. Without lighting data Unity 6 hands
+// over a black sky.
 float3 WaterMirror(float3 direction)
 {
     float3 colour = FluidAmbient(direction);
@@ -96,8 +96,8 @@ float4 ShadeWater(SurfaceFragment input) : SV_Target
     return float4(colour, cover);
 }
 
-// A shadow map stores full shadow or none. To let part of the light through, a pattern leaves out that share of each three by three texels, and
-// the filters of soft shadows blur it to an even half-shadow. Filters that average three texels, or five in a tent, show no pattern.
+// A shadow map stores full shadow or none. To let part of the light through, a pattern leaves out that share of each three by three texels,
+// and the filters of soft shadows blur it to an even half-shadow. Filters that average three texels, or five in a tent, show no pattern.
 float4 CastWaterShadow(SurfaceFragment input) : SV_Target
 {
     uint2 texel = (uint2)input.clipPosition.xy % 3u;

@@ -1,8 +1,8 @@
-// Drawn with additive blending over the closed surface, alpha with the larger of two. Depths count from a reference point in the middle of the liquid, so that half floats
-// are precise where the liquid is. Red: sum of far depths minus sum of near depths; green: number of far faces minus number of near ones.
-// Worked example, reference 2 m from the camera: a layer from 1.9 m to 2.2 m gives red 0.2 + 0.1 = 0.3, green 0. A camera within the liquid
-// sees only its far face at 2.2 m: red 0.2, green 1, together 0.2 + 1 * 2 = 2.2 m. Alpha: minus the depth of the nearest far face, where the
-// first layer ends; with another layer from 2.5 m to 2.6 m it is -0.2 still.
+// Drawn with additive blending over the closed surface, alpha with the larger of two. Depths count from a reference point in the middle of
+// the liquid, so that half floats are precise where the liquid is. Red: sum of far depths minus sum of near depths; green: number of far
+// faces minus number of near ones. Worked example, reference 2 m from the camera: a layer from 1.9 m to 2.2 m gives red 0.2 + 0.1 = 0.3,
+// green 0. A camera within the liquid sees only its far face at 2.2 m: red 0.2, green 1, together 0.2 + 1 * 2 = 2.2 m. Alpha: minus the
+// depth of the nearest far face, where the first layer ends; with another layer from 2.5 m to 2.6 m it is -0.2 still.
 #ifndef SPHFLUID_WATER_THICKNESS_INCLUDED
 #define SPHFLUID_WATER_THICKNESS_INCLUDED
 

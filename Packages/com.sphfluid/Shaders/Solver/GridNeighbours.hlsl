@@ -28,9 +28,9 @@ int3 WrapCell(int3 cell)
 // the cells, so their particles are one run: 9 runs. Worked example: in a row, [4, 6) [0, 0) [6, 9) make [4, 9).
 // Where x is periodic, a row at its end goes on at its beginning: a second run for each. Worked example: 5 cells, x = 0:
 // cells 0 and 1, then cell 4; x = 4: cells 3 and 4, then cell 0. Of three cells or more none is visited twice.
-// Cells 2h wide are GetNeighbors(GetQuadrant(position)), thesis 6.3.1: h reaches over one face an axis, the nearer one. Eight runs of a cell each,
-// the ninth empty. Worked example on one axis, in cells: 4.3 lies in the lower half of cell 4, floor(4.3 - 0.5) = 3, cells 3 and 4;
-// 4.7 lies in the upper half, floor(4.7 - 0.5) = 4, cells 4 and 5.
+// Cells 2h wide are GetNeighbors(GetQuadrant(position)), thesis 6.3.1: h reaches over one face an axis, the nearer one. Eight runs of a
+// cell each, the ninth empty. Worked example on one axis, in cells: 4.3 lies in the lower half of cell 4, floor(4.3 - 0.5) = 3, cells 3 and
+// 4; 4.7 lies in the upper half, floor(4.7 - 0.5) = 4, cells 4 and 5.
 uint NeighbourRanges(float3 position)
 {
 #if defined(FLUID_PERIODIC)

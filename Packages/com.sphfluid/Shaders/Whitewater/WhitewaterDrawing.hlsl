@@ -47,8 +47,8 @@ float SpotPixel(float3 world)
     return 2.0 * FluidClipPosition(world).w / (across * max(_ScreenParams.y, 1.0));
 }
 
-// Whether a piece belongs into the picture of the scene that water refracts, which has no depth of its own: nothing behind the scene, and of what
-// is not within the water nothing before it.
+// Whether a piece belongs into the picture of the scene that water refracts, which has no depth of its own: nothing behind the scene, and
+// of what is not within the water nothing before it.
 bool IsSeenThroughWater(float3 world, uint kind)
 {
     float2 screen = WaterScreen(world);

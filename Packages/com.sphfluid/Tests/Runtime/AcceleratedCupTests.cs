@@ -10,13 +10,16 @@ using Object = UnityEngine.Object;
 
 namespace SphFluid.Tests
 {
-    /// <summary>A cup that is accelerated holds its liquid as one at rest does under the sum of gravity and acceleration, or a message says which Expected Speed does.</summary>
+    /// <summary>
+    /// A cup that is accelerated holds its liquid as one at rest does under the sum of gravity and acceleration, or a message says which
+    /// Expected Speed does.
+    /// </summary>
     public sealed class AcceleratedCupTests
     {
-        const float Width = 0.2f, Wall = 0.05f, Spacing = 0.04f, Earth = 9.81f;
-        const int Frames = 20;
+        private const float Width = 0.2f, Wall = 0.05f, Spacing = 0.04f, Earth = 9.81f;
+        private const int Frames = 20;
 
-        SimulationRig rig;
+        private SimulationRig rig;
 
         [SetUp]
         public void SetUp() => rig = new SimulationRig();
@@ -25,7 +28,7 @@ namespace SphFluid.Tests
         public void TearDown() => rig.Dispose();
 
         // Each pair of the values 0 and 1 of gravity, 1 and 9 of acceleration, with both modes of both methods.
-        static readonly (FluidMethodKind Method, FluidTimeStepMode Mode, float Gravity, float Acceleration)[] Cups =
+        private static readonly (FluidMethodKind Method, FluidTimeStepMode Mode, float Gravity, float Acceleration)[] Cups =
         {
             (FluidMethodKind.Standard, FluidTimeStepMode.Automatic, 0f, 1f),
             (FluidMethodKind.Standard, FluidTimeStepMode.Automatic, 1f, 9f),
@@ -56,7 +59,9 @@ namespace SphFluid.Tests
                 Object.DestroyImmediate(simulation.gameObject);
                 Object.DestroyImmediate(cup.gameObject);
             }
-            TestContext.WriteLine($"accelerated {found[0].height:f4} m, {found[0].compression:f4}; at rest {found[1].height:f4} m, {found[1].compression:f4}");
+            TestContext.WriteLine(
+                $"accelerated {found[0].height:f4} m, {found[0].compression:f4}; at rest {found[1].height:f4} m, " +
+                $"{found[1].compression:f4}");
             Assert.That(found[0].height, Is.EqualTo(found[1].height).Within(0.2 * Width));
             Assert.That(found[0].compression, Is.LessThan(0.06), "Max Compression is 4 % at the bottom, and it swings");
         }
@@ -112,21 +117,22 @@ namespace SphFluid.Tests
 
         public enum Stiff { ByRule, FixedStep, Thesis, ThesisFixed }
 
-        static float Compression(FluidSimulation simulation)
+        private static float Compression(FluidSimulation simulation)
         {
             FluidParticle[] particles = GpuTest.Read<FluidParticle>(simulation.Solver.Particles, simulation.Solver.ParticleCount);
             float[] density = GpuTest.Read<float>(simulation.Solver.Density, particles.Length);
-            return Enumerable.Range(0, particles.Length).Where(i => !particles[i].IsRemoved).Average(i => Mathf.Max(0f, density[i] / simulation.Solver.Settings.RestDensity - 1f));
+            return Enumerable.Range(0, particles.Length).Where(i => !particles[i].IsRemoved)
+                .Average(i => Mathf.Max(0f, density[i] / simulation.Solver.Settings.RestDensity - 1f));
         }
 
-        static void Place(Transform cup, float acceleration, int frame)
+        private static void Place(Transform cup, float acceleration, int frame)
         {
             float time = frame * Time.captureDeltaTime;
             cup.localPosition = new Vector3(0f, -0.9f + 0.5f * acceleration * Earth * time * time, 0f);
         }
 
         // Of five boxes, with a cube of liquid in it.
-        FluidSimulation Cup(float gravity, out Transform cup)
+        private FluidSimulation Cup(float gravity, out Transform cup)
         {
             FluidSimulation simulation = rig.Create(liquid: false);
             simulation.DomainSize = new Vector3(0.4f, 2.4f, 0.4f);
@@ -139,7 +145,8 @@ namespace SphFluid.Tests
             for (int side = 0; side < 4; side++)
             {
                 var towards = new Vector3(side < 2 ? 1f - 2f * side : 0f, 0f, side < 2 ? 0f : 5f - 2f * side);
-                Side("Side", 0.5f * (Width + Wall) * towards + 0.05f * Vector3.up, new Vector3(side < 2 ? Wall : Width, Width + 0.1f, side < 2 ? Width : Wall));
+                Side("Side", 0.5f * (Width + Wall) * towards + 0.05f * Vector3.up,
+                    new Vector3(side < 2 ? Wall : Width, Width + 0.1f, side < 2 ? Width : Wall));
             }
             rig.AddVolume(simulation).transform.localPosition = cup.localPosition;
             return simulation;

@@ -11,9 +11,9 @@ namespace SphFluid.Tests
     /// <summary>Liquid that falls without end along a periodic axis gets faster than expected: steps that follow it stay stable.</summary>
     public sealed class AdaptiveTimeStepTests
     {
-        const int Frames = 40;
+        private const int Frames = 40;
 
-        SimulationRig rig;
+        private SimulationRig rig;
 
         [SetUp]
         public void SetUp()
@@ -45,7 +45,8 @@ namespace SphFluid.Tests
                 Assert.That(simulation.TimeStep, Is.LessThanOrEqualTo(largest), $"frame {frame}");
                 Assert.That(late * simulation.TimeStep, Is.EqualTo(0.01).Within(1e-7));
             }
-            Assert.That(simulation.Solver.Counters.MaxSpeed, Is.GreaterThan(3f * simulation.Solver.Settings.MaxSpeed), "faster than expected");
+            Assert.That(simulation.Solver.Counters.MaxSpeed, Is.GreaterThan(3f * simulation.Solver.Settings.MaxSpeed),
+                "faster than expected");
             Assert.That(late, Is.GreaterThan(2 * early));
             Assert.That(simulation.CapHits, Is.Zero);
         }
@@ -115,7 +116,7 @@ namespace SphFluid.Tests
         }
 
         // 0.4 s at 100 m/s² reach 40 m/s, where the fall within the box is expected to give 7.7 m/s.
-        FluidSimulation Falling()
+        private FluidSimulation Falling()
         {
             FluidSimulation simulation = rig.Create();
             simulation.TimeStepMode = FluidTimeStepMode.Adaptive;

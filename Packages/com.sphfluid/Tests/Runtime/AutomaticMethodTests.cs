@@ -12,11 +12,11 @@ namespace SphFluid.Tests
     /// <summary>A liquid whose method is chosen: at the start, by changed settings, again when asked, and through saves.</summary>
     public sealed class AutomaticMethodTests
     {
-        const float Frame = 1f / 60f;
+        private const float Frame = 1f / 60f;
 
-        SimulationRig rig;
-        MadeUpCosts costs;
-        FluidSimulation simulation;
+        private SimulationRig rig;
+        private MadeUpCosts costs;
+        private FluidSimulation simulation;
 
         [SetUp]
         public void SetUp()
@@ -309,19 +309,20 @@ namespace SphFluid.Tests
         }
 
         // Between what the profile's compression takes and what three times as much does, at 1 ms a step.
-        float SoftBudget()
+        private float SoftBudget()
         {
-            FluidMethodCandidate[] ways = FluidSimulationChecks.PreviewChoice(simulation).Considered.Where(c => c.Method == FluidMethodKind.Standard).ToArray();
+            FluidMethodCandidate[] ways = FluidSimulationChecks.PreviewChoice(simulation).Considered
+                .Where(c => c.Method == FluidMethodKind.Standard).ToArray();
             return (float)(0.5 * (ways[0].StepsAFrame + ways[1].StepsAFrame));
         }
 
-        void SetAll(double milliseconds, bool inPlay = true)
+        private void SetAll(double milliseconds, bool inPlay = true)
         {
             foreach (FluidMethod method in FluidMethods.All) costs.Set(method.Kind, milliseconds, inPlay: inPlay);
         }
 
-        void Start() => Assert.That(simulation.StartSimulation(), simulation.StatusMessage);
+        private void Start() => Assert.That(simulation.StartSimulation(), simulation.StatusMessage);
 
-        FluidMessage[] Choices() => simulation.Messages.Where(m => m.Issue == FluidIssue.MethodChoice).ToArray();
+        private FluidMessage[] Choices() => simulation.Messages.Where(m => m.Issue == FluidIssue.MethodChoice).ToArray();
     }
 }

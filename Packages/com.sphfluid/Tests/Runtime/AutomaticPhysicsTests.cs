@@ -7,15 +7,17 @@ using UnityEngine.TestTools;
 
 namespace SphFluid.Tests
 {
-    /// <summary>A liquid whose method is chosen, with physics that only Standard has: at the start, and when they come to act in play.</summary>
+    /// <summary>
+    /// A liquid whose method is chosen, with physics that only Standard has: at the start, and when they come to act in play.
+    /// </summary>
     public sealed class AutomaticPhysicsTests
     {
         // Acts at the rig's spacing: its capillary length is 7 cm.
-        const float StrongTension = 50f;
+        private const float StrongTension = 50f;
 
-        SimulationRig rig;
-        MadeUpCosts costs;
-        FluidSimulation simulation;
+        private SimulationRig rig;
+        private MadeUpCosts costs;
+        private FluidSimulation simulation;
 
         [SetUp]
         public void SetUp()
@@ -49,7 +51,8 @@ namespace SphFluid.Tests
         [UnityTest]
         public IEnumerator PhysicsThatComeToActInPlayAreSaidAndTakenAtTheNextChoice()
         {
-            costs.Set(FluidMethodKind.Standard, 1.0).Set(FluidMethodKind.Standard, 1.0, variant: "+tension").Set(FluidMethodKind.Robust, 0.1);
+            costs.Set(FluidMethodKind.Standard, 1.0).Set(FluidMethodKind.Standard, 1.0, variant: "+tension")
+                .Set(FluidMethodKind.Robust, 0.1);
             Assert.That(simulation.StartSimulation(), simulation.StatusMessage);
             Assert.That(simulation.ActiveMethod, Is.EqualTo(FluidMethodKind.Robust));
             yield return null;
@@ -58,7 +61,8 @@ namespace SphFluid.Tests
             for (int i = 0; i < 3; i++) yield return null;
             Assert.That(simulation.Solver, Is.SameAs(solver), "the method stays");
             Assert.That(simulation.Messages.Last(m => m.Issue == FluidIssue.MethodChoice).Text,
-                Does.StartWith("By the changed settings another method than Robust, which stays in use, would be picked: Standard").And.Contain("Robust has no surface tension"));
+                Does.StartWith("By the changed settings another method than Robust, which stays in use, would be picked: Standard").And
+                    .Contain("Robust has no surface tension"));
             LogAssert.Expect(LogType.Warning, new Regex("Method in use: Standard.*Robust has no surface tension"));
             Assert.That(simulation.ChooseMethodAgain());
             Assert.That(simulation.ActiveMethod, Is.EqualTo(FluidMethodKind.Standard));

@@ -7,10 +7,12 @@ using UnityEngine.TestTools;
 
 namespace SphFluid.Tests
 {
-    /// <summary>Each wrong input is one message that names the object and the cure; nothing crashes, nothing is skipped in silence.</summary>
+    /// <summary>
+    /// Each wrong input is one message that names the object and the cure; nothing crashes, nothing is skipped in silence.
+    /// </summary>
     public sealed class BadInputTests
     {
-        SimulationRig rig;
+        private SimulationRig rig;
 
         [SetUp]
         public void SetUp() => rig = new SimulationRig();
@@ -117,7 +119,8 @@ namespace SphFluid.Tests
             rig.Profile.SupportRatio = 2f;
             rig.Profile.KinematicViscosity = 0.5f;
             FluidMessage message = simulation.Validate().Single();
-            Assert.That(message.Text, Does.Contain("above the stability limit of 1.2 ms, which the kinematic viscosity (0.5 m²/s) sets"), "0.06 · 0.1² / 0.5");
+            Assert.That(message.Text, Does.Contain("above the stability limit of 1.2 ms, which the kinematic viscosity (0.5 m²/s) sets"),
+                "0.06 · 0.1² / 0.5");
             Assert.That(message.Cure, Does.Contain("0.0012 s").Or.Contain("0.0011 s"));
             simulation.TimeStepMode = FluidTimeStepMode.Automatic;
             Assert.That(simulation.Validate(), Is.Empty);
@@ -128,7 +131,9 @@ namespace SphFluid.Tests
         [TestCase("open", "The wall velocity Boundaries\\.LowX is .*X is periodic and has no walls\\. Set the velocity")]
         [TestCase("thesis", "Boundaries\\.Open has LowY, but with the method Thesis all faces are walls\\. Use the method Standard")]
         [TestCase("both", "Boundaries\\.Open has HighZ, but Boundaries\\.Periodic has Z.*\\. Take the face out of one")]
-        [TestCase("belt", "The wall velocity Boundaries\\.HighX is .*that face is open and has no wall\\. Set the velocity to zero, or take HighX out of Boundaries\\.Open")]
+        [TestCase("belt",
+            "The wall velocity Boundaries\\.HighX is .*that face is open and has no wall\\. Set the velocity to zero, or take HighX out " +
+            "of Boundaries\\.Open")]
         [TestCase("short", "The domain is 0\\.4 m along X, which is periodic, .*must be 0\\.42 m or more.*\\. Enlarge")]
         [TestCase("force", "The body force's RateSquared is 1 1/s² along X, which is periodic.*\\. Set it to zero")]
         public void WrongFaces(string kind, string expected)
@@ -157,7 +162,8 @@ namespace SphFluid.Tests
         {
             FluidSimulation simulation = rig.Create();
             simulation.VelocityField = position => position / 0f;
-            Fails(simulation, FluidIssue.StartFailed, "'Fluid': The velocity field gives a velocity that is not a finite number\\. Give VelocityField");
+            Fails(simulation, FluidIssue.StartFailed,
+                "'Fluid': The velocity field gives a velocity that is not a finite number\\. Give VelocityField");
         }
 
         [Test]
@@ -190,7 +196,8 @@ namespace SphFluid.Tests
             FluidSimulation simulation = rig.Create();
             FluidVolume volume = simulation.GetComponentInChildren<FluidVolume>();
             volume.transform.localPosition = new Vector3(1f, 0f, 0f);
-            Fails(simulation, FluidIssue.VolumeOutsideDomain, "'Liquid': The liquid volume lies outside the domain of 'Fluid'.*Domain Size");
+            Fails(simulation, FluidIssue.VolumeOutsideDomain,
+                "'Liquid': The liquid volume lies outside the domain of 'Fluid'.*Domain Size");
         }
 
         [Test]
@@ -210,12 +217,14 @@ namespace SphFluid.Tests
             BoxCollider box = rig.NewObject("Crate").AddComponent<BoxCollider>();
             box.size = new Vector3(0.2f, 0.4f, 0.4f);
             box.transform.position = new Vector3(0.1f, 0f, 0f);
-            LogAssert.Expect(LogType.Warning, new Regex(@"\[SPH Fluid\] 'Liquid': 32 of 64 particles would start inside colliders.*'Crate'"));
+            LogAssert.Expect(LogType.Warning,
+                new Regex(@"\[SPH Fluid\] 'Liquid': 32 of 64 particles would start inside colliders.*'Crate'"));
             Assert.That(simulation.StartSimulation(), simulation.StatusMessage);
             Assert.That(simulation.ParticleCount, Is.EqualTo(32));
 
             box.size = new Vector3(1f, 1f, 1f);
-            Fails(simulation, FluidIssue.VolumeInsideCollider, "'Liquid': The liquid volume lies wholly inside colliders.*'Crate'.*Collider Layers");
+            Fails(simulation, FluidIssue.VolumeInsideCollider,
+                "'Liquid': The liquid volume lies wholly inside colliders.*'Crate'.*Collider Layers");
         }
 
         [Test]
@@ -233,7 +242,9 @@ namespace SphFluid.Tests
         public void MoreParticlesThanTheCap()
         {
             rig.Profile.MaxParticles = 60;
-            Fails(rig.Create(), FluidIssue.TooManyParticles, @"'Fluid': The liquid needs 64 particles at a spacing of 0\.05 m, but the profile 'Test Water' allows 60.*Particle Spacing of 0\.05\d* m or more");
+            Fails(rig.Create(), FluidIssue.TooManyParticles,
+                @"'Fluid': The liquid needs 64 particles at a spacing of 0\.05 m, but the profile 'Test Water' allows 60.*Particle " +
+                @"Spacing of 0\.05\d* m or more");
         }
 
         [TestCase(20f, FluidMethodKind.Standard, "the method Standard holds 4,194,303")]
@@ -243,7 +254,9 @@ namespace SphFluid.Tests
             FluidSimulation simulation = rig.Create();
             simulation.Method = method;
             simulation.DomainSize = size * Vector3.one;
-            string pattern = $"'Fluid': The domain of {size} × {size} × {size} m needs [0-9,]+ cells for the neighbour search at a spacing of 0\\.05 m, but .*{owner}.*" +
+            string pattern =
+                $"'Fluid': The domain of {size} × {size} × {size} m needs [0-9,]+ cells for the neighbour search at a spacing of 0\\.05 " +
+                $"m, but .*{owner}.*" +
                 "Use a smaller Domain Size, or a Particle Spacing of 0\\.[0-9]+ m or more";
             Fails(simulation, FluidIssue.TooManyCells, pattern);
             simulation.Spacing = CellChecks.FittingSpacing(simulation.Spec);
@@ -268,10 +281,14 @@ namespace SphFluid.Tests
             FluidSimulation simulation = rig.Create();
             simulation.Spacing = 1e-4f;
             simulation.Method = FluidMethodKind.Standard;
-            LogAssert.Expect(LogType.Error, new Regex(@"\[SPH Fluid\] 'Fluid': The liquid needs 8\d{9} particles at a spacing of 0\.0001 m, but the profile 'Test Water' allows 1048576 particles, and this device's buffers hold \d+\..*Particle Spacing of 0\.00\d+ m or more"));
+            LogAssert.Expect(LogType.Error,
+                new Regex(
+                    @"\[SPH Fluid\] 'Fluid': The liquid needs 8\d{9} particles at a spacing of 0\.0001 m, but the profile 'Test Water' " +
+                    @"allows 1048576 particles, and this device's buffers hold \d+\..*Particle Spacing of 0\.00\d+ m or more"));
             LogAssert.Expect(LogType.Error, new Regex(@"\[SPH Fluid\] 'Fluid': The domain .* cells"));
             Assert.That(simulation.StartSimulation(), Is.False);
-            Assert.That(simulation.Messages.Select(m => m.Issue), Is.EqualTo(new[] { FluidIssue.TooManyParticles, FluidIssue.TooManyCells }));
+            Assert.That(simulation.Messages.Select(m => m.Issue),
+                Is.EqualTo(new[] { FluidIssue.TooManyParticles, FluidIssue.TooManyCells }));
             Assert.That(simulation.GpuBytes, Is.Zero);
         }
 
@@ -322,7 +339,7 @@ namespace SphFluid.Tests
             Assert.That(FluidScene.FindVolumes(left), Is.EqualTo(new[] { loose }));
         }
 
-        static void Fails(FluidSimulation simulation, FluidIssue issue, string pattern)
+        private static void Fails(FluidSimulation simulation, FluidIssue issue, string pattern)
         {
             LogAssert.Expect(LogType.Error, new Regex(@"\[SPH Fluid\] " + pattern));
             Assert.That(simulation.StartSimulation(), Is.False);

@@ -10,7 +10,7 @@ namespace SphFluid.Tests
     /// <summary>Pause, single steps and the time scale of a liquid; colliders that move meanwhile, or that several liquids share.</summary>
     public sealed class ControlTests
     {
-        SimulationRig rig;
+        private SimulationRig rig;
 
         [SetUp]
         public void SetUp() => rig = new SimulationRig();
@@ -100,7 +100,8 @@ namespace SphFluid.Tests
         [UnityTest]
         public IEnumerator TimeScaleIsTheLiquidsTimeOverTheScenes()
         {
-            FluidSimulation plain = rig.Create("Plain"), half = rig.Create("Half", position: new Vector3(2f, 0f, 0f)), twice = rig.Create("Twice", position: new Vector3(4f, 0f, 0f));
+            FluidSimulation plain = rig.Create("Plain"), half = rig.Create("Half", position: new Vector3(2f, 0f, 0f)),
+                twice = rig.Create("Twice", position: new Vector3(4f, 0f, 0f));
             half.TimeScale = 0.5f;
             twice.TimeScale = 2f;
             for (int frame = 0; frame < 25; frame++) yield return null;
@@ -110,7 +111,8 @@ namespace SphFluid.Tests
         }
 
         [UnityTest]
-        public IEnumerator ATimeScaleThatCannotBeIsReportedOnceAndTheLiquidStandsStill([Values(-1f, float.NaN, float.PositiveInfinity)] float scale)
+        public IEnumerator ATimeScaleThatCannotBeIsReportedOnceAndTheLiquidStandsStill(
+            [Values(-1f, float.NaN, float.PositiveInfinity)] float scale)
         {
             FluidSimulation simulation = rig.Create();
             for (int frame = 0; frame < 3; frame++) yield return null;
@@ -139,7 +141,8 @@ namespace SphFluid.Tests
                 plate.position = new Vector3(-0.15f + 0.02f * frame, 0f, 0f);
                 yield return null;
             }
-            Assert.That(SimulationRig.Read(simulation).Any(p => p.Position.x < plate.position.x), "the plate is in the liquid, which stands still");
+            Assert.That(SimulationRig.Read(simulation).Any(p => p.Position.x < plate.position.x),
+                "the plate is in the liquid, which stands still");
             if (single) simulation.StepOnce();
             else Still(simulation, how, false);
             for (int frame = 0; frame < 2; frame++) yield return null;
@@ -164,7 +167,7 @@ namespace SphFluid.Tests
             Assert.That(near.Messages.Concat(far.Messages).Any(m => m.Issue == FluidIssue.ColliderJumped), Is.False);
         }
 
-        static void Still(FluidSimulation simulation, string how, bool still)
+        private static void Still(FluidSimulation simulation, string how, bool still)
         {
             if (how == "paused") simulation.Paused = still;
             else if (how == "scene") Time.timeScale = still ? 0f : 1f;
@@ -172,7 +175,7 @@ namespace SphFluid.Tests
         }
 
         // To the left of the liquid, over the whole height of the domain.
-        Transform Plate(float width)
+        private Transform Plate(float width)
         {
             GameObject plate = rig.NewObject("Plate");
             plate.AddComponent<BoxCollider>().size = new Vector3(0.02f, 0.6f, width);
@@ -180,7 +183,7 @@ namespace SphFluid.Tests
             return plate.transform;
         }
 
-        static void AssertIsAhead(FluidSimulation simulation, Transform plate)
+        private static void AssertIsAhead(FluidSimulation simulation, Transform plate)
         {
             FluidParticle[] particles = SimulationRig.Read(simulation);
             Assert.That(particles.Length, Is.EqualTo(64));

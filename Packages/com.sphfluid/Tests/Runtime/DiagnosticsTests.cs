@@ -11,7 +11,7 @@ namespace SphFluid.Tests
     /// <summary>The diagnostics component beside a running simulation.</summary>
     public sealed class DiagnosticsTests
     {
-        SimulationRig rig;
+        private SimulationRig rig;
 
         [SetUp]
         public void SetUp() => rig = new SimulationRig();
@@ -45,7 +45,8 @@ namespace SphFluid.Tests
             yield return Frames(diagnostics, 40);
             Assert.That(diagnostics.MeasurementCount, Is.GreaterThan(10));
             Assert.That(simulation.Messages.Select(m => m.ToString()), Is.Empty);
-            Assert.That(diagnostics.Findings.Select(f => f.Failure), Is.EqualTo(new[] { FluidFailure.NumericalViscosity }), "true of thin liquids, shown but no warning");
+            Assert.That(diagnostics.Findings.Select(f => f.Failure), Is.EqualTo(new[] { FluidFailure.NumericalViscosity }),
+                "true of thin liquids, shown but no warning");
         }
 
         [UnityTest]
@@ -59,7 +60,8 @@ namespace SphFluid.Tests
             simulation.Reported += reported.Add;
             FluidDiagnostics diagnostics = Watch(simulation, 1);
             diagnostics.Found += found.Add;
-            LogAssert.Expect(LogType.Warning, new System.Text.RegularExpressions.Regex("'Fluid': The kinematic viscosity .*Viscosity Ratio"));
+            LogAssert.Expect(LogType.Warning,
+                new System.Text.RegularExpressions.Regex("'Fluid': The kinematic viscosity .*Viscosity Ratio"));
             yield return Frames(diagnostics, 8);
             Assert.That(found.Select(f => f.Failure), Is.EqualTo(new[] { FluidFailure.KernelMismatch }));
             FluidMessage message = reported.Single();
@@ -94,7 +96,8 @@ namespace SphFluid.Tests
                 Assert.That(diagnostics.Findings.Select(f => f.Failure), Has.No.Member(FluidFailure.EnergyGrowth));
             }
             double mass = simulation.ParticleCount * (double)simulation.Solver.Settings.ParticleMass;
-            Assert.That(diagnostics.Statistics.Energy - energy, Is.GreaterThan(2.0 * FluidGrowth(simulation, mass)), "it would count if nothing had moved");
+            Assert.That(diagnostics.Statistics.Energy - energy, Is.GreaterThan(2.0 * FluidGrowth(simulation, mass)),
+                "it would count if nothing had moved");
         }
 
         [UnityTest]
@@ -170,20 +173,20 @@ namespace SphFluid.Tests
         }
 
         // Half of the limit: a twentieth of nothing, and motion at a fiftieth of the speed of sound.
-        static double FluidGrowth(FluidSimulation simulation, double mass)
+        private static double FluidGrowth(FluidSimulation simulation, double mass)
         {
             double quiet = 0.02 * simulation.Solver.Settings.SoundSpeed;
             return 0.25 * mass * quiet * quiet;
         }
 
-        static FluidDiagnostics Watch(FluidSimulation simulation, int interval)
+        private static FluidDiagnostics Watch(FluidSimulation simulation, int interval)
         {
             var diagnostics = simulation.gameObject.AddComponent<FluidDiagnostics>();
             diagnostics.Interval = interval;
             return diagnostics;
         }
 
-        static IEnumerator Frames(FluidDiagnostics diagnostics, int count)
+        private static IEnumerator Frames(FluidDiagnostics diagnostics, int count)
         {
             Assert.That(diagnostics.Runs, Is.True, "in the Editor");
             for (int frame = 0; frame < count; frame++)

@@ -10,9 +10,9 @@ namespace SphFluid.Tests
     /// <summary>Liquid that comes and goes, by components and by script.</summary>
     public sealed class EmitterTests
     {
-        const float Spacing = 0.02f;
+        private const float Spacing = 0.02f;
 
-        SimulationRig rig;
+        private SimulationRig rig;
 
         [SetUp]
         public void SetUp() => rig = new SimulationRig();
@@ -20,7 +20,7 @@ namespace SphFluid.Tests
         [TearDown]
         public void TearDown() => rig.Dispose();
 
-        FluidSimulation Tank(bool gravity, bool liquid = false)
+        private FluidSimulation Tank(bool gravity, bool liquid = false)
         {
             FluidSimulation simulation = rig.Create("Tank", liquid);
             simulation.DomainSize = new Vector3(0.4f, 0.8f, 0.4f);
@@ -30,7 +30,7 @@ namespace SphFluid.Tests
             return simulation;
         }
 
-        FluidEmitter Nozzle(FluidSimulation simulation, Vector3 place, Vector3 direction, float width, float speed)
+        private FluidEmitter Nozzle(FluidSimulation simulation, Vector3 place, Vector3 direction, float width, float speed)
         {
             GameObject holder = rig.NewObject("Nozzle");
             holder.transform.SetParent(simulation.transform, false);
@@ -63,7 +63,8 @@ namespace SphFluid.Tests
             FluidParticle[] jet = SimulationRig.Read(simulation);
             int sites = EmitterSites.For(emitter.Spec, Spacing).Places.Length;
             Assert.That(sites, Is.GreaterThan(30));
-            double volume = jet.Length * System.Math.Pow(Spacing, 3), expected = emitter.Spec.Area(Spacing) * 1.3 * simulation.SimulatedTime;
+            double volume = jet.Length * System.Math.Pow(Spacing, 3),
+                expected = emitter.Spec.Area(Spacing) * 1.3 * simulation.SimulatedTime;
             Assert.That(volume, Is.EqualTo(expected).Within(1.01 * sites * System.Math.Pow(Spacing, 3)), "one layer");
             Assert.That(longest, Is.LessThan(1010f), "largest density");
             Assert.That(Nearest(jet), Is.GreaterThan(0.9f * Spacing));
@@ -88,14 +89,17 @@ namespace SphFluid.Tests
             }
             FluidParticle[] jet = SimulationRig.Read(simulation);
             double layer = emitter.Spec.Area(Spacing) * 1.3 * 0.01; // of a frame
-            double volume = jet.Length * System.Math.Pow(Spacing, 3), expected = emitter.Spec.Area(Spacing) * 1.3 * simulation.SimulatedTime;
+            double volume = jet.Length * System.Math.Pow(Spacing, 3),
+                expected = emitter.Spec.Area(Spacing) * 1.3 * simulation.SimulatedTime;
             int sites = EmitterSites.For(emitter.Spec, Spacing).Places.Length;
             Assert.That(volume, Is.EqualTo(expected).Within(1.01 * sites * System.Math.Pow(Spacing, 3)), "one layer");
             Assert.That(layer, Is.Positive);
             Assert.That(longest, Is.LessThan(1010f), "largest density");
             Vector3 along = (simulation.transform.InverseTransformDirection(emitter.transform.forward)).normalized;
             foreach (FluidParticle particle in jet)
+            {
                 Assert.That((particle.VelT0 - 1.3f * along).magnitude, Is.LessThan(0.013f), $"velocity of {particle.Id}");
+            }
             Assert.That(Nearest(jet), Is.GreaterThan(0.9f * Spacing));
             FluidCounters counters = simulation.Solver.ReadCountersNow();
             Assert.That((counters.Blocked, counters.Refused), Is.EqualTo((0L, 0L)));
@@ -127,8 +131,11 @@ namespace SphFluid.Tests
                 FluidCounters counters = simulation.Solver.ReadCountersNow();
                 int living = SimulationRig.Read(simulation).Length;
                 runs.Add((simulation.ComputeStateHash(), living, counters.Born, counters.Removed, counters.Blocked, counters.Refused));
-                TestContext.WriteLine($"{living} live at the end, {counts.Min()} to {counts.Max()} from 10 s on; born {counters.Born}, left {counters.Removed}, blocked {counters.Blocked}, refused {counters.Refused}; " +
-                    $"emitted {1000.0 * jet.EmittedVolume:f2} l of {1000.0 * jet.Spec.Area(0.03f) * 2.5 * simulation.SimulatedTime:f2} l; hash {runs[run].hash:X16}");
+                TestContext.WriteLine(
+                    $"{living} live at the end, {counts.Min()} to {counts.Max()} from 10 s on; born {counters.Born}, left " +
+                    $"{counters.Removed}, blocked {counters.Blocked}, refused {counters.Refused}; " +
+                    $"emitted {1000.0 * jet.EmittedVolume:f2} l of {1000.0 * jet.Spec.Area(0.03f) * 2.5 * simulation.SimulatedTime:f2} " +
+                    $"l; hash {runs[run].hash:X16}");
                 Assert.That(counters.Born - counters.Removed, Is.EqualTo(living));
                 Assert.That(counts.Max(), Is.LessThanOrEqualTo(1500));
                 Assert.That(simulation.Messages.Where(m => m.Severity == FluidSeverity.Error), Is.Empty);
@@ -171,7 +178,10 @@ namespace SphFluid.Tests
                 for (int i = 0; i < all.Length; i++)
                 {
                     Vector3 local = emitter.transform.InverseTransformPoint(simulation.transform.TransformPoint(all[i].Position));
-                    if (all[i].IsRemoved || Mathf.Abs(local.x) > 0.08f || Mathf.Abs(local.y) > 0.08f || local.z < -0.05f || local.z > 0.14f) continue;
+                    if (all[i].IsRemoved || Mathf.Abs(local.x) > 0.08f || Mathf.Abs(local.y) > 0.08f || local.z < -0.05f || local.z > 0.14f)
+                    {
+                        continue;
+                    }
                     most = Mathf.Max(most, density[i]);
                     if (new Vector2(local.x, local.y).magnitude < 0.04f && local.z > 0f && local.z < 0.05f) jet.Add(all[i]);
                 }
@@ -184,9 +194,12 @@ namespace SphFluid.Tests
             double expected = emitter.Spec.Area(Spacing) * speed * (simulation.SimulatedTime - begin) / System.Math.Pow(Spacing, 3);
             FluidCounters counters = simulation.Solver.ReadCountersNow();
             float sideways = Mathf.Sqrt(lateral.Average()) / speed;
-            TestContext.WriteLine($"{SimulationRig.Read(simulation).Length - before} of {expected:f0} particles in layers of {sites}, {counters.Blocked} blocked; density near the nozzle {dense.Max():f0} at most, {dense.Average():f0} in the mean; " +
+            TestContext.WriteLine(
+                $"{SimulationRig.Read(simulation).Length - before} of {expected:f0} particles in layers of {sites}, {counters.Blocked} " +
+                $"blocked; density near the nozzle {dense.Max():f0} at most, {dense.Average():f0} in the mean; " +
                 $"sideways {sideways:f3} U, nearest {nearest / Spacing:f2} dx, squeezed {counters.Squeezed}");
-            Assert.That(SimulationRig.Read(simulation).Length - before, Is.EqualTo(expected).Within(1.5 * sites), "the first layer finds liquid in its place");
+            Assert.That(SimulationRig.Read(simulation).Length - before, Is.EqualTo(expected).Within(1.5 * sites),
+                "the first layer finds liquid in its place");
             Assert.That(simulation.Messages.Where(m => m.Issue == FluidIssue.EmitterBlocked), Is.Empty, "and nobody is told of it");
             Assert.That(dense.Max(), Is.LessThan(1150f));
             Assert.That(dense.Average(), Is.LessThan(1100f));
@@ -201,7 +214,8 @@ namespace SphFluid.Tests
             FluidSimulation simulation = Tank(false, true);
             Nozzle(simulation, Vector3.zero, Vector3.up, 0.08f, 1f);
             for (int frame = 0; frame < 20; frame++) yield return null;
-            Assert.That(simulation.Messages.Single(m => m.Issue == FluidIssue.EmitterBlocked).Text, Does.StartWith("Of what the emitter gives 100 % finds no place"));
+            Assert.That(simulation.Messages.Single(m => m.Issue == FluidIssue.EmitterBlocked).Text,
+                Does.StartWith("Of what the emitter gives 100 % finds no place"));
         }
 
         // The speed of sound follows the liquid down once nothing comes in any more.
@@ -217,7 +231,7 @@ namespace SphFluid.Tests
             Assert.That(simulation.Messages.Where(m => m.Issue == FluidIssue.EmitterInvalid), Is.Empty);
         }
 
-        static float Nearest(FluidParticle[] particles)
+        private static float Nearest(FluidParticle[] particles)
         {
             float nearest = float.PositiveInfinity;
             for (int i = 0; i < particles.Length; i++)
@@ -247,7 +261,7 @@ namespace SphFluid.Tests
         }
 
         // At 1 m/s a jet is as long as its liquid is old.
-        static void Check(FluidSimulation simulation, float right, float left, string when)
+        private static void Check(FluidSimulation simulation, float right, float left, string when)
         {
             FluidParticle[] particles = SimulationRig.Read(simulation);
             float Length(bool isRight) => particles.Where(p => p.Position.x > 0f == isRight).Max(p => p.Position.y) + 0.3f;
@@ -295,7 +309,8 @@ namespace SphFluid.Tests
             while (!simulation.IsRunning) yield return null;
             int start = simulation.ParticleCount;
             Assert.That(start, Is.EqualTo(1000));
-            int tried = simulation.AddLiquid(new Vector3(0f, 0.1f, 0f), new Vector3(0.2f, 0.2f, 0.2f), Quaternion.identity, new Vector3(0f, 0f, 0f));
+            int tried = simulation.AddLiquid(new Vector3(0f, 0.1f, 0f), new Vector3(0.2f, 0.2f, 0.2f), Quaternion.identity,
+                new Vector3(0f, 0f, 0f));
             Assert.That(tried, Is.EqualTo(1000));
             for (int frame = 0; frame < 5; frame++) yield return null; // one may have no step
             FluidCounters counters = simulation.Solver.ReadCountersNow();
@@ -378,7 +393,8 @@ namespace SphFluid.Tests
             tap.transform.position = new Vector3(0.1f, 0.3f, 0f);
             tap.AddComponent<BoxCollider>().size = 0.1f * Vector3.one;
             emitter.transform.localPosition = new Vector3(0.1f, 0.26f, 0f);
-            Assert.That(simulation.Validate().Single(m => m.Issue == FluidIssue.EmitterInvalid).ToString(), Does.Contain("inside the collider of 'Tap'"));
+            Assert.That(simulation.Validate().Single(m => m.Issue == FluidIssue.EmitterInvalid).ToString(),
+                Does.Contain("inside the collider of 'Tap'"));
             emitter.transform.localPosition = new Vector3(0.1f, 0.24f, 0f);
             Assert.That(simulation.Validate().Any(m => m.Issue == FluidIssue.EmitterInvalid), Is.False);
         }

@@ -10,9 +10,9 @@ namespace SphFluid.Tests
     /// <summary>Shapes of Fluid Volumes in a scene: what is filled, what is said about wrong ones, and relaxed starts.</summary>
     public sealed class FillingTests
     {
-        SimulationRig rig;
-        FluidSimulation simulation;
-        FluidVolume volume;
+        private SimulationRig rig;
+        private FluidSimulation simulation;
+        private FluidVolume volume;
 
         [SetUp]
         public void SetUp()
@@ -84,7 +84,8 @@ namespace SphFluid.Tests
             {
                 simulation.StartRelaxation = relaxation;
                 simulation.StartSimulation();
-                Assert.That(simulation.Messages.Count(m => m.Issue == FluidIssue.StartRelaxation && m.Text.Contains("damped steps")), Is.EqualTo(1));
+                Assert.That(simulation.Messages.Count(m => m.Issue == FluidIssue.StartRelaxation && m.Text.Contains("damped steps")),
+                    Is.EqualTo(1));
                 FluidParticle[] rested = SimulationRig.Read(simulation);
                 Assert.That(rested.Length, Is.EqualTo(lattice.Length));
                 Assert.That(rested.All(p => p.VelT0 == new Vector3(0.5f, 0f, 0f)));
@@ -95,7 +96,8 @@ namespace SphFluid.Tests
             }
             simulation.StartRelaxation = FluidStartRelaxation.None;
             for (int frame = 0; frame < 3; frame++) yield return null;
-            Assert.That(simulation.Messages.Any(m => m.Issue == FluidIssue.StartRelaxation), Is.False, "another setting starts the liquid again");
+            Assert.That(simulation.Messages.Any(m => m.Issue == FluidIssue.StartRelaxation), Is.False,
+                "another setting starts the liquid again");
         }
 
         [Test]
@@ -107,17 +109,23 @@ namespace SphFluid.Tests
             Assert.That(simulation.StartSimulation(), simulation.StatusMessage);
         }
 
-        void Fails(FluidIssue issue, string expected)
+        private void Fails(FluidIssue issue, string expected)
         {
             LogAssert.Expect(LogType.Error, new Regex(expected));
             Assert.That(simulation.StartSimulation(), Is.False);
             Assert.That(simulation.Messages.Select(m => m.Issue), Does.Contain(issue));
         }
 
-        static Mesh Cube()
+        private static Mesh Cube()
         {
-            Vector3[] corners = Enumerable.Range(0, 8).Select(i => 0.5f * new Vector3((i & 1) * 2 - 1, (i & 2) - 1, (i & 4) / 2 - 1)).ToArray();
-            return new Mesh { name = "Cube", vertices = corners, triangles = new[] { 0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4, 2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5 } };
+            Vector3[] corners = Enumerable.Range(0, 8).Select(i => 0.5f * new Vector3((i & 1) * 2 - 1, (i & 2) - 1, (i & 4) / 2 - 1))
+                .ToArray();
+            return new Mesh
+            {
+                name = "Cube", vertices = corners,
+                triangles =
+                    new[] { 0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4, 2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5 }
+            };
         }
     }
 }

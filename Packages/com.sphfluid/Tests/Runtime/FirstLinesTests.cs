@@ -23,8 +23,7 @@ namespace SphFluid.Tests
             try
             {
                 Time.captureDeltaTime = 1f / 30f;
-                for (int frame = 0; frame < 5; frame++)
-                    yield return null;
+                for (int frame = 0; frame < 5; frame++) yield return null;
                 Assert.That(liquid.IsRunning, liquid.StatusMessage);
                 Assert.That(liquid.Messages, Is.Empty);
                 Assert.That(liquid.ParticleCount, Is.EqualTo(8000), "half a metre cubed at 25 mm");
@@ -38,13 +37,12 @@ namespace SphFluid.Tests
             }
         }
 
-        static float LowestParticle(FluidSimulation liquid)
+        private static float LowestParticle(FluidSimulation liquid)
         {
             var particles = new List<FluidParticle>();
             Assert.That(liquid.TryReadParticles(particles));
             float lowest = float.MaxValue;
-            foreach (FluidParticle particle in particles)
-                lowest = Mathf.Min(lowest, particle.Position.y);
+            foreach (FluidParticle particle in particles) lowest = Mathf.Min(lowest, particle.Position.y);
             return lowest;
         }
     }

@@ -10,14 +10,14 @@ namespace SphFluid.Tests
     /// <summary>Rigidbodies in a pool: the liquid moves them, the scene's physics follows.</summary>
     public sealed class FloatingRigidbodyTests
     {
-        const float Spacing = 0.06f;
+        private const float Spacing = 0.06f;
 
-        static readonly Vector3 Crate = new Vector3(0.45f, 0.3f, 0.45f);
+        private static readonly Vector3 Crate = new Vector3(0.45f, 0.3f, 0.45f);
 
-        readonly float fixedDelta = Time.fixedDeltaTime;
-        SimulationRig rig;
-        FluidSimulation simulation;
-        FluidVolume water;
+        private readonly float fixedDelta = Time.fixedDeltaTime;
+        private SimulationRig rig;
+        private FluidSimulation simulation;
+        private FluidVolume water;
 
         [SetUp]
         public void SetUp()
@@ -31,7 +31,7 @@ namespace SphFluid.Tests
             Fill(13f);
         }
 
-        void Fill(float across)
+        private void Fill(float across)
         {
             simulation.DomainSize = new Vector3(across, 16f, across) * Spacing;
             water.Size = new Vector3(across, 8f, across) * Spacing;
@@ -44,7 +44,7 @@ namespace SphFluid.Tests
             rig.Dispose();
         }
 
-        Rigidbody AddCrate(float ratio, float height, float turn = 5f)
+        private Rigidbody AddCrate(float ratio, float height, float turn = 5f)
         {
             GameObject crate = rig.NewObject("Crate");
             crate.transform.SetPositionAndRotation(new Vector3(0f, height, 0f), Quaternion.Euler(turn, 0f, 0f));
@@ -54,14 +54,14 @@ namespace SphFluid.Tests
             return body;
         }
 
-        IEnumerator Play(float seconds)
+        private IEnumerator Play(float seconds)
         {
             while (!simulation.IsRunning) yield return null;
             double end = simulation.SimulatedTime + seconds;
             while (simulation.SimulatedTime < end) yield return null;
         }
 
-        FloatingState OnTheGpu()
+        private FloatingState OnTheGpu()
         {
             FloatingBodies bodies = simulation.Solver.State.Bodies.Floating;
             return bodies.ReadNow(bodies.Bodies.Single());
@@ -85,7 +85,8 @@ namespace SphFluid.Tests
             float volume = SimulationRig.Read(simulation).Length * Mathf.Pow(Spacing, 3f) + ratio * Crate.x * Crate.y * Crate.z;
             float level = volume / (simulation.DomainSize.x * simulation.DomainSize.z) - 0.5f * simulation.DomainSize.y;
             float draught = (level - heights.Average() + 0.5f * Crate.y) / Crate.y;
-            string figures = $"draught {draught}, largest gap {gaps.Max()} m, at {crate.position}, tilt {Vector3.Angle(crate.transform.up, Vector3.up)}";
+            string figures =
+                $"draught {draught}, largest gap {gaps.Max()} m, at {crate.position}, tilt {Vector3.Angle(crate.transform.up, Vector3.up)}";
             Assert.That(draught, Is.EqualTo(ratio).Within(0.3f * Spacing / Crate.y), figures);
             Assert.That(gaps.Max(), Is.LessThan(0.02f * Crate.y), figures);
             Assert.That(Vector3.Angle(crate.transform.up, Vector3.up), Is.LessThan(8f), figures);
@@ -136,7 +137,8 @@ namespace SphFluid.Tests
             {
                 yield return null;
                 gaps.Add((OnTheGpu().Centre - crate.worldCenterOfMass).magnitude);
-                Assert.That(crate.position.y - 0.5f * Crate.y, Is.InRange(top - 0.003f, top + 0.5f * Spacing), "on the floor, or on a film of water that cannot get away");
+                Assert.That(crate.position.y - 0.5f * Crate.y, Is.InRange(top - 0.003f, top + 0.5f * Spacing),
+                    "on the floor, or on a film of water that cannot get away");
             }
             // The floor is PhysX's: the liquid's body is held by what PhysX refuses, some frames late, in which half of
             // its weight moves it: 0.5 (g / 2) (4 / 60 s)^2 = 11 mm at most.
@@ -164,7 +166,8 @@ namespace SphFluid.Tests
         public IEnumerator AScriptsForceReachesTheBodyInTheLiquid()
         {
             Rigidbody crate = AddCrate(0.5f, 0f, 0f);
-            crate.constraints = RigidbodyConstraints.FreezeRotation | RigidbodyConstraints.FreezePositionY | RigidbodyConstraints.FreezePositionZ;
+            crate.constraints = RigidbodyConstraints.FreezeRotation | RigidbodyConstraints.FreezePositionY |
+                RigidbodyConstraints.FreezePositionZ;
             yield return Play(0.2f);
             for (int frame = 0; frame < 12; frame++)
             {

@@ -8,17 +8,19 @@ using UnityEngine.TestTools;
 
 namespace SphFluid.Tests
 {
-    /// <summary>Floating Rigidbodies beside what games do with Rigidbodies: interpolation, sleep, scripts, and physics at other times.</summary>
+    /// <summary>
+    /// Floating Rigidbodies beside what games do with Rigidbodies: interpolation, sleep, scripts, and physics at other times.
+    /// </summary>
     public sealed class FloatingScriptsTests
     {
-        const float Spacing = 0.06f;
+        private const float Spacing = 0.06f;
 
-        static readonly Vector3 Crate = new Vector3(0.3f, 0.24f, 0.3f);
+        private static readonly Vector3 Crate = new Vector3(0.3f, 0.24f, 0.3f);
 
-        readonly float fixedDelta = Time.fixedDeltaTime;
-        SimulationRig rig;
-        FluidSimulation simulation;
-        Rigidbody crate;
+        private readonly float fixedDelta = Time.fixedDeltaTime;
+        private SimulationRig rig;
+        private FluidSimulation simulation;
+        private Rigidbody crate;
 
         [SetUp]
         public void Fill()
@@ -44,26 +46,26 @@ namespace SphFluid.Tests
             rig.Dispose();
         }
 
-        sealed class Script : MonoBehaviour
+        private sealed class Script : MonoBehaviour
         {
             public Action Act;
             public int Count;
 
-            void FixedUpdate()
+            private void FixedUpdate()
             {
                 Count++;
                 Act();
             }
         }
 
-        Script Fixed(Action act)
+        private Script Fixed(Action act)
         {
             Script script = rig.NewObject("Script").AddComponent<Script>();
             script.Act = act;
             return script;
         }
 
-        IEnumerator Play(float seconds, Action afterFrame = null)
+        private IEnumerator Play(float seconds, Action afterFrame = null)
         {
             while (!simulation.IsRunning) yield return null;
             double end = simulation.SimulatedTime + seconds;
@@ -74,7 +76,7 @@ namespace SphFluid.Tests
             }
         }
 
-        FloatingState OnTheGpu()
+        private FloatingState OnTheGpu()
         {
             FloatingBodies bodies = simulation.Solver.State.Bodies.Floating;
             return bodies.ReadNow(bodies.Bodies.Single());
@@ -109,7 +111,7 @@ namespace SphFluid.Tests
             Assert.That(twist, Is.LessThan(rate == 60 ? 0.012f : 0.006f), figures);
         }
 
-        static Vector3 Turn(List<Quaternion> turns, int i) => FloatingPose.Turn(turns[i] * Quaternion.Inverse(turns[i - 1]));
+        private static Vector3 Turn(List<Quaternion> turns, int i) => FloatingPose.Turn(turns[i] * Quaternion.Inverse(turns[i - 1]));
 
         [UnityTest]
         public IEnumerator AScriptThatSetsTheVelocityIsObeyed()

@@ -9,13 +9,13 @@ namespace SphFluid.Tests
     /// <summary>Loads on a raft, and physics at 50 Hz among frames of 60.</summary>
     public sealed class FloatingStackTests
     {
-        const float Spacing = 0.06f;
+        private const float Spacing = 0.06f;
 
-        static readonly Vector3 Deck = new Vector3(0.54f, 0.18f, 0.54f);
+        private static readonly Vector3 Deck = new Vector3(0.54f, 0.18f, 0.54f);
 
-        SimulationRig rig;
-        FluidSimulation simulation;
-        Rigidbody raft;
+        private SimulationRig rig;
+        private FluidSimulation simulation;
+        private Rigidbody raft;
 
         [SetUp]
         public void Fill()
@@ -30,7 +30,7 @@ namespace SphFluid.Tests
         }
 
         // Where it floats with what it will bear, on the second of its colliders.
-        void AddRaft(float mass, float load)
+        private void AddRaft(float mass, float load)
         {
             Vector3 half = new Vector3(Deck.x, 0.5f * Deck.y, Deck.z), up = 0.25f * Deck.y * Vector3.up;
             raft = Add("Raft", half, mass, new Vector3(0f, -2f * Spacing + 0.5f * Deck.y - 1e-3f * (mass + load) / (Deck.x * Deck.z), 0f));
@@ -42,7 +42,7 @@ namespace SphFluid.Tests
         [TearDown]
         public void Empty() => rig.Dispose();
 
-        Rigidbody Add(string name, Vector3 size, float mass, Vector3 at)
+        private Rigidbody Add(string name, Vector3 size, float mass, Vector3 at)
         {
             GameObject part = rig.NewObject(name);
             part.transform.position = at;
@@ -52,13 +52,13 @@ namespace SphFluid.Tests
             return body;
         }
 
-        Rigidbody AddLoad(float mass)
+        private Rigidbody AddLoad(float mass)
         {
             Vector3 size = 0.2f * Vector3.one;
             return Add("Load", size, mass, raft.position + new Vector3(0f, 0.5f * (Deck.y + size.y), 0f));
         }
 
-        IEnumerator Play(float seconds, Action afterFrame = null)
+        private IEnumerator Play(float seconds, Action afterFrame = null)
         {
             while (!simulation.IsRunning) yield return null;
             double end = simulation.SimulatedTime + seconds;
@@ -70,14 +70,15 @@ namespace SphFluid.Tests
         }
 
         // Of the raft's centre where it bears a mass in all, below the level that it raises itself.
-        float HeightWith(float mass)
+        private float HeightWith(float mass)
         {
-            float level = (SimulationRig.Read(simulation).Length * Mathf.Pow(Spacing, 3f) + 1e-3f * mass) / (simulation.DomainSize.x * simulation.DomainSize.z);
+            float level = (SimulationRig.Read(simulation).Length * Mathf.Pow(Spacing, 3f) + 1e-3f * mass) /
+                (simulation.DomainSize.x * simulation.DomainSize.z);
             return level - 0.5f * simulation.DomainSize.y - 1e-3f * mass / (Deck.x * Deck.z) + 0.5f * Deck.y;
         }
 
         // Mass of the load and age of the read-back. A light load by the newest strays least.
-        static readonly (float Mass, int Age)[] loads = { (8f, 4), (16f, 1), (16f, 4) };
+        private static readonly (float Mass, int Age)[] loads = { (8f, 4), (16f, 1), (16f, 4) };
 
         // The raft weighs 4 kg. It bobs in what its fall leaves of waves, as one body of the whole mass does: by up to 0.02 m.
         [UnityTest]
@@ -88,7 +89,8 @@ namespace SphFluid.Tests
             Rigidbody load = AddLoad(mass);
             Vector3 placed = load.position - raft.position;
             float strayed = 0f;
-            void See() => strayed = Mathf.Max(strayed, (Quaternion.Inverse(raft.rotation) * (load.position - raft.position) - placed).magnitude);
+            void See() =>
+                strayed = Mathf.Max(strayed, (Quaternion.Inverse(raft.rotation) * (load.position - raft.position) - placed).magnitude);
             while (!simulation.IsRunning) yield return null;
             simulation.Solver.State.Bodies.Floating.Readback.Age = age;
             yield return Play(1f, See);
@@ -105,13 +107,13 @@ namespace SphFluid.Tests
         }
 
         // Physics steps five times in six frames: whichever of them the hoist begins in, the load goes up with 2 m/s².
-        sealed class Hoist : MonoBehaviour
+        private sealed class Hoist : MonoBehaviour
         {
-            Rigidbody load;
+            private Rigidbody load;
 
-            void Awake() => load = GetComponent<Rigidbody>();
+            private void Awake() => load = GetComponent<Rigidbody>();
 
-            void FixedUpdate() => load.AddForce(load.mass * (-Physics.gravity + new Vector3(0f, 2f, 0f)));
+            private void FixedUpdate() => load.AddForce(load.mass * (-Physics.gravity + new Vector3(0f, 2f, 0f)));
         }
 
         [UnityTest]

@@ -10,9 +10,9 @@ namespace SphFluid.Tests
     /// <summary>Probes, gauges and fluxes of a running liquid: what they read, and what they say when they cannot.</summary>
     public sealed class FluidInstrumentTests
     {
-        const float Volume = 64 * SimulationRig.Spacing * SimulationRig.Spacing * SimulationRig.Spacing;
+        private const float Volume = 64 * SimulationRig.Spacing * SimulationRig.Spacing * SimulationRig.Spacing;
 
-        SimulationRig rig;
+        private SimulationRig rig;
 
         [SetUp]
         public void SetUp() => rig = new SimulationRig(0.01f);
@@ -20,7 +20,7 @@ namespace SphFluid.Tests
         [TearDown]
         public void TearDown() => rig.Dispose();
 
-        T Instrument<T>(Vector3 place, float averagingTime = 0f) where T : FluidInstrument
+        private T Instrument<T>(Vector3 place, float averagingTime = 0f) where T : FluidInstrument
         {
             GameObject holder = rig.NewObject(typeof(T).Name);
             holder.transform.position = place;
@@ -30,7 +30,7 @@ namespace SphFluid.Tests
         }
 
         // A pool 0.2 m deep, at a place in the world.
-        FluidSimulation Pool(Vector3 position = default)
+        private FluidSimulation Pool(Vector3 position = default)
         {
             FluidSimulation simulation = rig.Create(liquid: false, position: position);
             FluidVolume volume = rig.AddVolume(simulation);
@@ -39,7 +39,7 @@ namespace SphFluid.Tests
             return simulation;
         }
 
-        static IEnumerator Play(FluidSimulation simulation, int frames)
+        private static IEnumerator Play(FluidSimulation simulation, int frames)
         {
             while (!simulation.IsRunning) yield return null;
             for (int i = 0; i < frames; i++) yield return null;
@@ -115,7 +115,8 @@ namespace SphFluid.Tests
             FluidSimulation simulation = Pool();
             simulation.Method = FluidMethodKind.Thesis;
             FluidProbe probe = Instrument<FluidProbe>(new Vector3(0.19f, -0.1f, 0f));
-            LogAssert.Expect(LogType.Warning, new Regex("The method Thesis does not sum the force on walls.* Set the simulation's Method to Standard"));
+            LogAssert.Expect(LogType.Warning,
+                new Regex("The method Thesis does not sum the force on walls.* Set the simulation's Method to Standard"));
             yield return Play(simulation, 5);
             Assert.That(probe.HasValue, Is.False);
             probe.Kind = FluidProbeKind.LiquidPressure;

@@ -9,7 +9,7 @@ namespace SphFluid.Tests
     /// <summary>The overlay in a running scene.</summary>
     public sealed class FluidOverlayTests
     {
-        SimulationRig rig;
+        private SimulationRig rig;
 
         [SetUp]
         public void SetUp() => rig = new SimulationRig();
@@ -24,7 +24,8 @@ namespace SphFluid.Tests
             FluidOverlay overlay = Overlay();
             yield return Frames(30);
             Assert.That(overlay.Text, Does.Contain("\nTank   running\n  64 particles, 64 slots\n"));
-            Assert.That(overlay.Text, Does.Contain(" steps a frame of ").And.Contain("real time x 1.00").And.Contain("limited by speed of sound; "));
+            Assert.That(overlay.Text,
+                Does.Contain(" steps a frame of ").And.Contain("real time x 1.00").And.Contain("limited by speed of sound; "));
             Assert.That(overlay.Text, Does.Contain(" ms a frame"));
             tank.Paused = true;
             yield return Frames(60); // two texts: the first is also of frames before
@@ -62,8 +63,12 @@ namespace SphFluid.Tests
             rig.Create("Tank");
             FluidOverlay overlay = Overlay();
             yield return Frames(40);
-            if (overlay.Text.Contains("no stage times") || overlay.Text.Contains("none yet")) Assert.Ignore("Unity measures no markers here.");
-            Assert.That(overlay.Text, Does.Contain("  neighbours").And.Contain("  density").And.Contain("  forces").And.Contain("  together"));
+            if (overlay.Text.Contains("no stage times") || overlay.Text.Contains("none yet"))
+            {
+                Assert.Ignore("Unity measures no markers here.");
+            }
+            Assert.That(overlay.Text,
+                Does.Contain("  neighbours").And.Contain("  density").And.Contain("  forces").And.Contain("  together"));
             overlay.ShowsStageTimes = false;
             yield return Frames(30);
             Assert.That(overlay.Text, Does.Not.Contain("neighbours").And.Contain("Tank"));
@@ -116,9 +121,9 @@ namespace SphFluid.Tests
             }
         }
 
-        FluidOverlay Overlay() => rig.NewObject("Overlay").AddComponent<FluidOverlay>();
+        private FluidOverlay Overlay() => rig.NewObject("Overlay").AddComponent<FluidOverlay>();
 
-        static IEnumerator Frames(int count)
+        private static IEnumerator Frames(int count)
         {
             for (int i = 0; i < count; i++) yield return null;
         }

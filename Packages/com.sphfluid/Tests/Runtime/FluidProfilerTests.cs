@@ -8,9 +8,9 @@ namespace SphFluid.Tests
     /// <summary>The counters in the Profiler are what all liquids together did in a frame.</summary>
     public sealed class FluidProfilerTests
     {
-        const int Frames = 6;
+        private const int Frames = 6;
 
-        SimulationRig rig;
+        private SimulationRig rig;
 
         [SetUp]
         public void SetUp() => rig = new SimulationRig();
@@ -23,7 +23,8 @@ namespace SphFluid.Tests
         {
             FluidSimulation first = rig.Create("First"), second = rig.Create("Second", true, new UnityEngine.Vector3(2f, 0f, 0f));
             yield return Wait();
-            using (ProfilerRecorder particles = Recorder(FluidProfiler.Particles), steps = Recorder(FluidProfiler.Steps), memory = Recorder(FluidProfiler.GpuMemory))
+            using (ProfilerRecorder particles = Recorder(FluidProfiler.Particles), steps = Recorder(FluidProfiler.Steps),
+                memory = Recorder(FluidProfiler.GpuMemory))
             {
                 long before = first.StepCount + second.StepCount;
                 yield return Wait();
@@ -70,16 +71,17 @@ namespace SphFluid.Tests
             }
         }
 
-        static ProfilerRecorder Recorder(string counter) => ProfilerRecorder.StartNew(new ProfilerCategory(FluidProfiler.Category), counter, 64);
+        private static ProfilerRecorder Recorder(string counter) =>
+            ProfilerRecorder.StartNew(new ProfilerCategory(FluidProfiler.Category), counter, 64);
 
-        static long Sum(ProfilerRecorder recorder)
+        private static long Sum(ProfilerRecorder recorder)
         {
             long sum = 0;
             for (int i = 0; i < recorder.Count; i++) sum += recorder.GetSample(i).Value;
             return sum;
         }
 
-        static IEnumerator Wait()
+        private static IEnumerator Wait()
         {
             for (int i = 0; i < Frames; i++) yield return null;
         }

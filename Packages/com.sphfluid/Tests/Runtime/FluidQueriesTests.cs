@@ -10,7 +10,7 @@ namespace SphFluid.Tests
     /// <summary>Queries of a running liquid: when they are answered, and when not.</summary>
     public sealed class FluidQueriesTests
     {
-        SimulationRig rig;
+        private SimulationRig rig;
 
         [SetUp]
         public void SetUp() => rig = new SimulationRig(0.01f);
@@ -24,7 +24,8 @@ namespace SphFluid.Tests
             FluidSimulation simulation = rig.Create(position: new Vector3(2f, 1f, 0f));
             yield return null;
             simulation.StartSimulation();
-            FluidQuery inside = simulation.Queries.AddPoint(new Vector3(2f, 1f, 0f)), above = simulation.Queries.AddPoint(new Vector3(2f, 1.19f, 0f)),
+            FluidQuery inside = simulation.Queries.AddPoint(new Vector3(2f, 1f, 0f)),
+                above = simulation.Queries.AddPoint(new Vector3(2f, 1.19f, 0f)),
                 outside = simulation.Queries.AddPoint(new Vector3(9e9f, 0f, 0f));
             int received = 0;
             simulation.Queries.Received += _ => received++;
@@ -160,7 +161,8 @@ namespace SphFluid.Tests
             FluidQueries queries = simulation.Queries;
             FluidQuery box = queries.AddBox(new Vector3(2f, 1f, 0f), new Vector3(0.4f, 0.4f, 0.4f), Quaternion.identity);
             FluidQuery point = queries.AddPoint(new Vector3(2f, 1f, 0f));
-            FluidQuery ray = queries.AddRay(new Vector3(2.01f, 1.19f, 0.01f), 3f * Vector3.down, 1f), half = queries.AddBox(new Vector3(2f, 1.1f, 0f), 0.1f * Vector3.one, Quaternion.identity);
+            FluidQuery ray = queries.AddRay(new Vector3(2.01f, 1.19f, 0.01f), 3f * Vector3.down, 1f),
+                half = queries.AddBox(new Vector3(2f, 1.1f, 0f), 0.1f * Vector3.one, Quaternion.identity);
             for (int i = 0; i < 3; i++) yield return null;
             queries.Complete();
             Assert.That(queries.Points.Length, Is.EqualTo(1));
@@ -175,7 +177,8 @@ namespace SphFluid.Tests
             Assert.That(surface.IsHit);
             Assert.That(surface.Place.y, Is.EqualTo(1.1f).Within(0.25f * SimulationRig.Spacing));
             Assert.That(queries.TryGet(point, out FluidPointResult inside) && inside.IsWet);
-            Assert.That(queries.TryGet(box, out _) || queries.TryGet(ray, out _) || queries.TryGetBox(ray, out _) || queries.TryGetRay(point, out _), Is.False, "another kind");
+            Assert.That(queries.TryGet(box, out _) || queries.TryGet(ray, out _) || queries.TryGetBox(ray, out _) ||
+                queries.TryGetRay(point, out _), Is.False, "another kind");
 
             queries.Move(box, new Vector3(2f, 1f, 0f), 0.1f * Vector3.one, Quaternion.Euler(0f, 90f, 0f));
             queries.Move(ray, new Vector3(2f, 0.81f, 0f), Vector3.up, 1f);
@@ -183,7 +186,8 @@ namespace SphFluid.Tests
             for (int i = 0; i < 3; i++) yield return null;
             queries.Complete();
             Assert.That(queries.TryGetBox(box, out all) && all.Fill > 0.95f, $"{all.Fill}");
-            Assert.That(queries.TryGetRay(ray, out surface) && Mathf.Abs(surface.Place.y - 0.9f) < 0.25f * SimulationRig.Spacing, $"{surface.Place}");
+            Assert.That(queries.TryGetRay(ray, out surface) && Mathf.Abs(surface.Place.y - 0.9f) < 0.25f * SimulationRig.Spacing,
+                $"{surface.Place}");
             Assert.That(queries.TryGet(point, out _), Is.False);
         }
 
@@ -196,11 +200,14 @@ namespace SphFluid.Tests
             Assert.That(() => queries.AddRay(Vector3.zero, Vector3.zero, 1f), Throws.ArgumentException.With.Message.Contains("direction"));
             Assert.That(() => queries.AddRay(Vector3.zero, Vector3.up, 0f), Throws.ArgumentException.With.Message.Contains("length"));
             Assert.That(() => queries.AddRay(new Vector3(float.NaN, 0f, 0f), Vector3.up, 1f), Throws.ArgumentException);
-            Assert.That(() => queries.AddBox(Vector3.zero, new Vector3(1f, 0f, 1f), Quaternion.identity), Throws.ArgumentException.With.Message.Contains("edge lengths"));
-            Assert.That(() => queries.AddBox(Vector3.zero, Vector3.one, default), Throws.ArgumentException.With.Message.Contains("rotation"));
+            Assert.That(() => queries.AddBox(Vector3.zero, new Vector3(1f, 0f, 1f), Quaternion.identity),
+                Throws.ArgumentException.With.Message.Contains("edge lengths"));
+            Assert.That(() => queries.AddBox(Vector3.zero, Vector3.one, default),
+                Throws.ArgumentException.With.Message.Contains("rotation"));
             FluidQuery ray = queries.AddRay(Vector3.zero, Vector3.up, float.PositiveInfinity);
             Assert.That(() => queries.Move(ray, Vector3.zero), Throws.ArgumentException.With.Message.Contains("no point's"));
-            Assert.That(() => queries.Move(ray, Vector3.zero, Vector3.one, Quaternion.identity), Throws.ArgumentException.With.Message.Contains("no box's"));
+            Assert.That(() => queries.Move(ray, Vector3.zero, Vector3.one, Quaternion.identity),
+                Throws.ArgumentException.With.Message.Contains("no box's"));
             queries.Remove(ray);
             Assert.That(() => queries.Move(ray, Vector3.zero, Vector3.up, 1f), Throws.ArgumentException.With.Message.Contains("removed"));
             Assert.That(queries.Count, Is.Zero);
@@ -214,7 +221,8 @@ namespace SphFluid.Tests
             simulation.StartSimulation();
             FluidQueries queries = simulation.Queries;
             Quaternion down = Quaternion.LookRotation(Vector3.down, Vector3.forward);
-            FluidQuery near = queries.AddNearest(new Vector3(2f, 1.3f, 0f), 0.25f), far = queries.AddNearest(new Vector3(2f, 1.3f, 0f), 0.1f);
+            FluidQuery near = queries.AddNearest(new Vector3(2f, 1.3f, 0f), 0.25f),
+                far = queries.AddNearest(new Vector3(2f, 1.3f, 0f), 0.1f);
             // The block of 64 particles falls through the first and not beside it.
             FluidQuery below = queries.AddPatch(new Vector3(2f, 0.89f, 0f), new Vector2(0.4f, 0.4f), down);
             FluidQuery turned = queries.AddPatch(new Vector3(2f, 0.89f, 0f), new Vector2(0.4f, 0.4f), Quaternion.Inverse(down));
@@ -226,7 +234,8 @@ namespace SphFluid.Tests
             Assert.That((found.Place - new Vector3(2f, 1.3f, 0f)).magnitude, Is.EqualTo(found.Distance).Within(1e-5f));
             Assert.That(found.Velocity.y, Is.Negative);
             Assert.That(queries.TryGetNearest(far, out found) && !found.IsFound);
-            Assert.That(queries.TryGet(near, out _) || queries.TryGetPatch(near, out _) || queries.TryGetNearest(below, out _), Is.False, "another kind");
+            Assert.That(queries.TryGet(near, out _) || queries.TryGetPatch(near, out _) || queries.TryGetNearest(below, out _), Is.False,
+                "another kind");
             for (int i = 0; i < 40; i++) yield return null;
             queries.Complete();
             Assert.That(queries.TryGetPatch(below, out FluidPatchResult passed));
@@ -252,13 +261,19 @@ namespace SphFluid.Tests
         {
             FluidQueries queries = rig.Create().Queries;
             yield return null;
-            Assert.That(() => queries.AddNearest(Vector3.zero, 0f), Throws.ArgumentException.With.Message.Contains("distance is 0; it must be a positive number"));
-            Assert.That(() => queries.AddNearest(new Vector3(0f, float.NaN, 0f), 1f), Throws.ArgumentException.With.Message.Contains("finite"));
-            Assert.That(() => queries.AddPatch(Vector3.zero, new Vector2(1f, 0f), Quaternion.identity), Throws.ArgumentException.With.Message.Contains("edge lengths"));
-            Assert.That(() => queries.AddPatch(Vector3.zero, Vector2.one, default), Throws.ArgumentException.With.Message.Contains("rotation"));
+            Assert.That(() => queries.AddNearest(Vector3.zero, 0f),
+                Throws.ArgumentException.With.Message.Contains("distance is 0; it must be a positive number"));
+            Assert.That(() => queries.AddNearest(new Vector3(0f, float.NaN, 0f), 1f),
+                Throws.ArgumentException.With.Message.Contains("finite"));
+            Assert.That(() => queries.AddPatch(Vector3.zero, new Vector2(1f, 0f), Quaternion.identity),
+                Throws.ArgumentException.With.Message.Contains("edge lengths"));
+            Assert.That(() => queries.AddPatch(Vector3.zero, Vector2.one, default),
+                Throws.ArgumentException.With.Message.Contains("rotation"));
             FluidQuery point = queries.AddPoint(Vector3.zero);
-            Assert.That(() => queries.Move(point, Vector3.zero, 1f), Throws.ArgumentException.With.Message.Contains("no nearest particle's"));
-            Assert.That(() => queries.Move(point, Vector3.zero, Vector2.one, Quaternion.identity), Throws.ArgumentException.With.Message.Contains("no rectangle's"));
+            Assert.That(() => queries.Move(point, Vector3.zero, 1f),
+                Throws.ArgumentException.With.Message.Contains("no nearest particle's"));
+            Assert.That(() => queries.Move(point, Vector3.zero, Vector2.one, Quaternion.identity),
+                Throws.ArgumentException.With.Message.Contains("no rectangle's"));
         }
 
         [UnityTest]
@@ -269,8 +284,10 @@ namespace SphFluid.Tests
             yield return null;
             simulation.StartSimulation();
             FluidQueries queries = simulation.Queries;
-            FluidQuery point = queries.AddPoint(Vector3.zero), ray = queries.AddRay(0.19f * Vector3.up, Vector3.down, 1f), near = queries.AddNearest(Vector3.zero, 1f);
-            FluidQuery box = queries.AddBox(Vector3.zero, 0.4f * Vector3.one, Quaternion.identity), patch = queries.AddPatch(Vector3.zero, 0.4f * Vector2.one, Quaternion.LookRotation(Vector3.down, Vector3.forward));
+            FluidQuery point = queries.AddPoint(Vector3.zero), ray = queries.AddRay(0.19f * Vector3.up, Vector3.down, 1f),
+                near = queries.AddNearest(Vector3.zero, 1f);
+            FluidQuery box = queries.AddBox(Vector3.zero, 0.4f * Vector3.one, Quaternion.identity),
+                patch = queries.AddPatch(Vector3.zero, 0.4f * Vector2.one, Quaternion.LookRotation(Vector3.down, Vector3.forward));
             for (int i = 0; i < 6; i++) yield return null;
             queries.Complete();
             Assert.That(queries.TryGet(point, out FluidPointResult inside) && inside.IsWet);
@@ -333,6 +350,7 @@ namespace SphFluid.Tests
 
         [Test]
         public void PlacesThatAreNotFiniteAreRefused() =>
-            Assert.That(() => rig.Create().Queries.AddPoint(new Vector3(0f, float.NaN, 0f)), Throws.ArgumentException.With.Message.Contains("world is (0.00, NaN, 0.00); it must be three finite numbers"));
+            Assert.That(() => rig.Create().Queries.AddPoint(new Vector3(0f, float.NaN, 0f)),
+                Throws.ArgumentException.With.Message.Contains("world is (0.00, NaN, 0.00); it must be three finite numbers"));
     }
 }

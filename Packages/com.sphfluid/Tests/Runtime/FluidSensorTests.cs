@@ -8,7 +8,7 @@ namespace SphFluid.Tests
     /// <summary>Sensors of a running liquid: what they read and when they raise events.</summary>
     public sealed class FluidSensorTests
     {
-        SimulationRig rig;
+        private SimulationRig rig;
 
         [SetUp]
         public void SetUp() => rig = new SimulationRig(0.01f);
@@ -16,7 +16,7 @@ namespace SphFluid.Tests
         [TearDown]
         public void TearDown() => rig.Dispose();
 
-        FluidSensor Sensor(FluidSensorKind kind, Vector3 place)
+        private FluidSensor Sensor(FluidSensorKind kind, Vector3 place)
         {
             GameObject holder = rig.NewObject("Sensor");
             holder.transform.position = place;
@@ -25,7 +25,7 @@ namespace SphFluid.Tests
             return sensor;
         }
 
-        static IEnumerator Play(FluidSimulation simulation, int frames)
+        private static IEnumerator Play(FluidSimulation simulation, int frames)
         {
             while (!simulation.IsRunning) yield return null;
             for (int i = 0; i < frames; i++) yield return null;
@@ -56,7 +56,8 @@ namespace SphFluid.Tests
             sensor.transform.position = new Vector3(0f, -0.19f, 0f); // the pool is 0.05 m deep
             yield return Play(simulation, 80); // it splashes, on some devices once more past the sensor
             Assert.That(sensor.IsAbove);
-            Assert.That(rose, Is.EqualTo(fell).And.InRange(1, 3), "each fall but the last is followed by a rise, and the first came from above");
+            Assert.That(rose, Is.EqualTo(fell).And.InRange(1, 3),
+                "each fall but the last is followed by a rise, and the first came from above");
         }
 
         [UnityTest]

@@ -9,9 +9,9 @@ namespace SphFluid.Tests
     /// <summary>The component: what it costs when it is off, what it leaves of the liquid, and when it begins anew.</summary>
     public sealed class FluidWhitewaterTests
     {
-        const int Frames = 14;
+        private const int Frames = 14;
 
-        SimulationRig rig;
+        private SimulationRig rig;
 
         [SetUp]
         public void SetUp() => rig = new SimulationRig(1f / 60f);
@@ -86,7 +86,8 @@ namespace SphFluid.Tests
             FluidSimulation simulation = Splash(out FluidWhitewater whitewater);
             for (int frame = 0; frame < Frames; frame++) yield return null;
             Assert.That(whitewater.Flow.ReadCounts().Particles, Is.GreaterThan(100));
-            simulation.Solver.SetParticles(SimulationRig.Read(simulation).Select(p => new FluidParticle(p.Position, Vector3.zero, p.Id)).ToArray());
+            simulation.Solver.SetParticles(SimulationRig.Read(simulation).Select(p => new FluidParticle(p.Position, Vector3.zero, p.Id))
+                .ToArray());
             yield return null;
             Assert.That(whitewater.Flow.ReadCounts().Born, Is.LessThan(20));
 
@@ -105,17 +106,23 @@ namespace SphFluid.Tests
             FluidSimulation simulation = Splash(out FluidWhitewater whitewater);
             for (int frame = 0; frame < Frames; frame++)
             {
-                if (frame % 10 == 5) simulation.AddLiquid(new Vector3(0f, 0.12f, 0f), 0.15f * Vector3.one, Quaternion.identity, 3f * Vector3.down);
+                if (frame % 10 == 5)
+                {
+                    simulation.AddLiquid(new Vector3(0f, 0.12f, 0f), 0.15f * Vector3.one, Quaternion.identity, 3f * Vector3.down);
+                }
                 if (frame % 10 == 9) simulation.RemoveLiquid(new Vector3(0f, -0.15f, 0f), 0.08f);
                 yield return null;
             }
             int count = (int)whitewater.Flow.ReadCounts().Particles;
             Assert.That(count, Is.GreaterThan(100));
-            foreach (Vector3 place in Places(whitewater, count)) Assert.That(DomainSpace.Holds(place, simulation.DomainSize), Is.True, $"{place}");
+            foreach (Vector3 place in Places(whitewater, count))
+            {
+                Assert.That(DomainSpace.Holds(place, simulation.DomainSize), Is.True, $"{place}");
+            }
         }
 
         // A block that falls on its corner of the domain.
-        FluidSimulation Splash(out FluidWhitewater whitewater)
+        private FluidSimulation Splash(out FluidWhitewater whitewater)
         {
             FluidSimulation simulation = rig.Create(liquid: false);
             simulation.Spacing = 0.02f;
@@ -128,9 +135,10 @@ namespace SphFluid.Tests
             return simulation;
         }
 
-        static float[] Read(FluidWhitewater whitewater, int count) => GpuTest.Read<float>(whitewater.Flow.Buffers.Present, count * WhitewaterBuffers.Stride / 4);
+        private static float[] Read(FluidWhitewater whitewater, int count) =>
+            GpuTest.Read<float>(whitewater.Flow.Buffers.Present, count * WhitewaterBuffers.Stride / 4);
 
-        static System.Collections.Generic.IEnumerable<Vector3> Places(FluidWhitewater whitewater, int count)
+        private static System.Collections.Generic.IEnumerable<Vector3> Places(FluidWhitewater whitewater, int count)
         {
             float[] read = Read(whitewater, count);
             return Enumerable.Range(0, count).Select(i => new Vector3(read[12 * i], read[12 * i + 1], read[12 * i + 2]));

@@ -7,10 +7,12 @@ using UnityEngine.TestTools;
 
 namespace SphFluid.Tests
 {
-    /// <summary>The speed of sound that follows the liquid: down once it has come down, up when it is lifted, never above the rule.</summary>
+    /// <summary>
+    /// The speed of sound that follows the liquid: down once it has come down, up when it is lifted, never above the rule.
+    /// </summary>
     public sealed class FollowingSoundSpeedTests
     {
-        SimulationRig rig;
+        private SimulationRig rig;
 
         [SetUp]
         public void SetUp() => rig = new SimulationRig(0.02f);
@@ -107,7 +109,8 @@ namespace SphFluid.Tests
                 yield return null;
             }
             Assert.That(calm, Is.LessThan(0.65f * rule));
-            Assert.That(simulation.Solver.Settings.SoundSpeed, Is.InRange(1.4f * calm, 5f * 4f), "made for its speed and the jolt, whatever the rule");
+            Assert.That(simulation.Solver.Settings.SoundSpeed, Is.InRange(1.4f * calm, 5f * 4f),
+                "made for its speed and the jolt, whatever the rule");
         }
 
         [UnityTest]
@@ -119,7 +122,8 @@ namespace SphFluid.Tests
             simulation.Solver.ApplySettings(simulation.Solver.Settings.WithSoundSpeed(33f));
             for (int frame = 0; frame < 30; frame++) yield return null;
             Assert.That(simulation.Solver.Settings.SoundSpeed, Is.EqualTo(33f));
-            Assert.That(simulation.TimeStep, Is.LessThanOrEqualTo(0.7501f * (float)FluidRules.Advise(simulation.Solver.Settings, 0.0).Acoustic));
+            Assert.That(simulation.TimeStep,
+                Is.LessThanOrEqualTo(0.7501f * (float)FluidRules.Advise(simulation.Solver.Settings, 0.0).Acoustic));
             rig.Profile.RestDensity = 900f;
             yield return null;
             Assert.That(simulation.Solver.Settings.SoundSpeed, Is.LessThan(33f));
@@ -180,7 +184,7 @@ namespace SphFluid.Tests
         }
 
         // 0.05 m deep at rest, from the upper half of a box 0.4 m high.
-        FluidSimulation Falling(string name, Vector3 position = default)
+        private FluidSimulation Falling(string name, Vector3 position = default)
         {
             FluidSimulation simulation = rig.Create(name, false, position);
             FluidVolume volume = rig.AddVolume(simulation);

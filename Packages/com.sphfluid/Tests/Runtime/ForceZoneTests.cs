@@ -10,7 +10,7 @@ namespace SphFluid.Tests
     /// <summary>Force zones as components.</summary>
     public sealed class ForceZoneTests
     {
-        SimulationRig rig;
+        private SimulationRig rig;
 
         [SetUp]
         public void SetUp() => rig = new SimulationRig();
@@ -18,7 +18,7 @@ namespace SphFluid.Tests
         [TearDown]
         public void TearDown() => rig.Dispose();
 
-        FluidSimulation Liquid()
+        private FluidSimulation Liquid()
         {
             FluidSimulation simulation = rig.Create();
             simulation.DomainSize = new Vector3(0.8f, 0.8f, 0.8f);
@@ -28,7 +28,7 @@ namespace SphFluid.Tests
             return simulation;
         }
 
-        FluidForceZone Zone(FluidForceKind kind, Vector3 direction, float strength = 4f)
+        private FluidForceZone Zone(FluidForceKind kind, Vector3 direction, float strength = 4f)
         {
             FluidForceZone zone = rig.NewObject("Zone").AddComponent<FluidForceZone>();
             zone.transform.rotation = Quaternion.LookRotation(direction, Vector3.right);
@@ -38,13 +38,13 @@ namespace SphFluid.Tests
             return zone;
         }
 
-        static Vector3 Velocity(FluidSimulation simulation)
+        private static Vector3 Velocity(FluidSimulation simulation)
         {
             FluidParticle[] particles = SimulationRig.Read(simulation);
             return particles.Aggregate(Vector3.zero, (sum, p) => sum + p.VelT0) / particles.Length;
         }
 
-        IEnumerator Play(FluidSimulation simulation, double time)
+        private IEnumerator Play(FluidSimulation simulation, double time)
         {
             while (!simulation.IsRunning || simulation.SimulatedTime < time) yield return null;
         }
@@ -82,15 +82,20 @@ namespace SphFluid.Tests
         public IEnumerator ImpulsesThatCannotActAreRefused()
         {
             FluidSimulation simulation = Liquid();
-            Assert.That(() => simulation.AddImpulse(Vector3.zero, 1f, Vector3.up), Throws.InvalidOperationException.With.Message.Contains("does not run"));
+            Assert.That(() => simulation.AddImpulse(Vector3.zero, 1f, Vector3.up),
+                Throws.InvalidOperationException.With.Message.Contains("does not run"));
             yield return Play(simulation, 0.01);
-            Assert.That(() => simulation.AddImpulse(Vector3.zero, 0f, Vector3.up), Throws.ArgumentException.With.Message.Contains("radius"));
-            Assert.That(() => simulation.AddImpulse(Vector3.zero, 1f, new Vector3(float.NaN, 0f, 0f)), Throws.ArgumentException.With.Message.Contains("finite"));
-            Assert.That(() => simulation.AddExplosion(Vector3.zero, 1f, -1e3f), Throws.ArgumentException.With.Message.Contains("Expected Speed"));
+            Assert.That(() => simulation.AddImpulse(Vector3.zero, 0f, Vector3.up),
+                Throws.ArgumentException.With.Message.Contains("radius"));
+            Assert.That(() => simulation.AddImpulse(Vector3.zero, 1f, new Vector3(float.NaN, 0f, 0f)),
+                Throws.ArgumentException.With.Message.Contains("finite"));
+            Assert.That(() => simulation.AddExplosion(Vector3.zero, 1f, -1e3f),
+                Throws.ArgumentException.With.Message.Contains("Expected Speed"));
             for (int i = 0; i < 16; i++) simulation.AddImpulse(Vector3.zero, 1f, Vector3.zero);
             Assert.That(() => simulation.AddImpulse(Vector3.zero, 1f, Vector3.zero), Throws.ArgumentException.With.Message.Contains("16"));
             simulation.Method = FluidMethodKind.Thesis;
-            Assert.That(() => simulation.AddImpulse(Vector3.zero, 1f, Vector3.zero), Throws.InvalidOperationException.With.Message.Contains("Standard"));
+            Assert.That(() => simulation.AddImpulse(Vector3.zero, 1f, Vector3.zero),
+                Throws.InvalidOperationException.With.Message.Contains("Standard"));
         }
 
         [UnityTest]
@@ -100,7 +105,8 @@ namespace SphFluid.Tests
             simulation.transform.rotation = Quaternion.Euler(0f, turn, 0f);
             FluidForceZone zone = Zone(FluidForceKind.Directional, Vector3.forward);
             yield return Play(simulation, 0.1);
-            Vector3 expected = Quaternion.Inverse(simulation.transform.rotation) * (4f * (float)(simulation.SimulatedTime - 0.5 * simulation.TimeStep) * Vector3.forward);
+            Vector3 expected = Quaternion.Inverse(simulation.transform.rotation) *
+                (4f * (float)(simulation.SimulatedTime - 0.5 * simulation.TimeStep) * Vector3.forward);
             Assert.That((Velocity(simulation) - expected).magnitude, Is.LessThan(0.02f), $"{Velocity(simulation)}, not {expected}");
             zone.enabled = false;
             yield return null;
@@ -137,7 +143,8 @@ namespace SphFluid.Tests
             zone.Strength = -6f;
             double before = particles.Average(p => p.Position.magnitude);
             yield return Play(simulation, 0.2);
-            Assert.That(SimulationRig.Read(simulation).Average(p => p.Position.magnitude), Is.GreaterThan(1.1 * before), "and away from it");
+            Assert.That(SimulationRig.Read(simulation).Average(p => p.Position.magnitude), Is.GreaterThan(1.1 * before),
+                "and away from it");
         }
 
         [UnityTest]
@@ -178,14 +185,16 @@ namespace SphFluid.Tests
             simulation.AddImpulse(new Vector3(5f, 0f, 0f), 1f, most * Vector3.up); // not where the liquid is: 5 m > 1 m + the zone's reach
             zone.Burst(0.1f * most * Vector3.right);
             yield return Play(simulation, simulation.SimulatedTime + 0.015);
-            Assert.That((Velocity(simulation) - 0.1f * most * Vector3.right).magnitude, Is.LessThan(0.02f * most), "one that is elsewhere weakens nothing");
+            Assert.That((Velocity(simulation) - 0.1f * most * Vector3.right).magnitude, Is.LessThan(0.02f * most),
+                "one that is elsewhere weakens nothing");
             Assert.That(simulation.Messages.Any(m => m.Text.Contains("add up")), Is.False);
             Vector3 before = Velocity(simulation);
             for (int i = 0; i < 4; i++) simulation.AddImpulse(Vector3.zero, 2f, 0.4f * most * Vector3.up);
             zone.Burst(-0.4f * most * Vector3.up);
             LogAssert.Expect(LogType.Warning, new Regex("add up to.*weakened"));
             yield return Play(simulation, simulation.SimulatedTime + 0.015);
-            Assert.That((Velocity(simulation) - before - (4f - 1f) / 5f * most * Vector3.up).magnitude, Is.LessThan(0.05f * most), $"{Velocity(simulation)}, {most}");
+            Assert.That((Velocity(simulation) - before - (4f - 1f) / 5f * most * Vector3.up).magnitude, Is.LessThan(0.05f * most),
+                $"{Velocity(simulation)}, {most}");
         }
 
         // The liquid's cube is 0.2 m wide; the collider holds its right half.
@@ -200,18 +209,20 @@ namespace SphFluid.Tests
             AddTrigger(zone, shape);
             yield return Play(simulation, 0.05);
             FluidParticle[] particles = SimulationRig.Read(simulation);
-            float right = particles.Where(p => p.Position.x > 0.05f).Average(p => p.VelT0.y), left = particles.Where(p => p.Position.x < -0.02f).Average(p => p.VelT0.y);
+            float right = particles.Where(p => p.Position.x > 0.05f).Average(p => p.VelT0.y),
+                left = particles.Where(p => p.Position.x < -0.02f).Average(p => p.VelT0.y);
             float rear = particles.Where(p => p.Position.x > 0.05f && p.Position.z > 0.05f).Average(p => p.VelT0.y);
             Assert.That(right, Is.GreaterThan(0.02f), "inside");
             Assert.That(rear, Is.GreaterThan(0.02f), "all along z");
             Assert.That(left, Is.LessThan(0.3f * right), "outside");
             Vector3 reach = zone.Spec.Size;
-            Assert.That(zone.Spec.Position, Is.EqualTo(new Vector3(0.2f, 0f, 0f)).Using<Vector3>((a, b) => (a - b).magnitude < 1e-4f ? 0 : 1));
+            Assert.That(zone.Spec.Position,
+                Is.EqualTo(new Vector3(0.2f, 0f, 0f)).Using<Vector3>((a, b) => (a - b).magnitude < 1e-4f ? 0 : 1));
             Assert.That(reach.x, Is.EqualTo(0.4f).Within(1e-4f));
         }
 
         // At x = 0.2 m in the world, 0.4 m across x; a capsule lies along the world's z, which is the object's y.
-        static void AddTrigger(FluidForceZone zone, string shape)
+        private static void AddTrigger(FluidForceZone zone, string shape)
         {
             var centre = new Vector3(0.1f, 0f, 0f);
             if (shape == "box")
@@ -242,7 +253,8 @@ namespace SphFluid.Tests
             CapsuleCollider capsule = zone.gameObject.AddComponent<CapsuleCollider>();
             (capsule.radius, capsule.height, capsule.direction) = (0.1f, 1f, direction);
             ZoneSpec spec = zone.Spec;
-            Vector3 axis = zone.transform.rotation * new Vector3(direction == 0 ? 1f : 0f, direction == 1 ? 1f : 0f, direction == 2 ? 1f : 0f);
+            Vector3 axis = zone.transform.rotation * new Vector3(direction == 0 ? 1f : 0f, direction == 1 ? 1f : 0f,
+                direction == 2 ? 1f : 0f);
             Assert.That(Mathf.Abs(Vector3.Dot(spec.Rotation * spec.ShapeTurn * Vector3.up, axis)), Is.EqualTo(1f).Within(1e-5f));
             Assert.That(spec.Rotation, Is.EqualTo(zone.transform.rotation));
             Assert.That(spec.Size.x, Is.EqualTo(direction == 2 ? 0.4f : 0.6f).Within(1e-5f));
@@ -271,7 +283,8 @@ namespace SphFluid.Tests
             yield return Play(simulation, 0.01);
             Assert.That(simulation.Messages.Any(m => m.Text.Contains("made for")), Is.False, "1.27 m/s are less than 2.5");
             zone.Strength = 20f;
-            LogAssert.Expect(LogType.Warning, new Regex("Zone.*to 5.66 m/s.*made for 2 m/s.*Expected Speed to 5.7 m/s")); // √(0.1² + 2 · 20 · 0.8), as it falls 0.1 m/s at most
+            // √(0.1² + 2 · 20 · 0.8), as it falls 0.1 m/s at most
+            LogAssert.Expect(LogType.Warning, new Regex("Zone.*to 5.66 m/s.*made for 2 m/s.*Expected Speed to 5.7 m/s"));
             yield return Play(simulation, simulation.SimulatedTime + 0.03);
             Assert.That(simulation.Messages.Count(m => m.Text.Contains("made for")), Is.EqualTo(1));
         }

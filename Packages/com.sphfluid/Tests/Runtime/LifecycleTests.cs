@@ -11,7 +11,7 @@ namespace SphFluid.Tests
     /// <summary>A simulation made from code starts, steps, stops, comes back and leaves nothing behind.</summary>
     public sealed class LifecycleTests
     {
-        SimulationRig rig;
+        private SimulationRig rig;
 
         [SetUp]
         public void SetUp() => rig = new SimulationRig();
@@ -116,14 +116,16 @@ namespace SphFluid.Tests
             simulation.enabled = true;
             yield return Until(simulation);
             Assert.That(FluidSimulation.Active, Has.Member(simulation));
-            Assert.That(SimulationRig.Read(simulation).Select(p => p.Position), Is.EqualTo(start.Select(p => p.Position)), "the same start again");
+            Assert.That(SimulationRig.Read(simulation).Select(p => p.Position), Is.EqualTo(start.Select(p => p.Position)),
+                "the same start again");
         }
 
         [UnityTest]
         public IEnumerator TwoHundredCyclesWithAllThatActsReturnTheGpuMemory()
         {
             FluidSimulation simulation = rig.Create();
-            foreach (System.Type part in new[] { typeof(FluidEmitter), typeof(FluidDrain), typeof(FluidForceZone), typeof(FluidSensor), typeof(BoxCollider) })
+            foreach (System.Type part in new[] { typeof(FluidEmitter), typeof(FluidDrain), typeof(FluidForceZone), typeof(FluidSensor),
+                typeof(BoxCollider) })
             {
                 GameObject holder = rig.NewObject(part.Name);
                 holder.transform.SetParent(simulation.transform, false);
@@ -156,7 +158,8 @@ namespace SphFluid.Tests
             Assert.That(queries, Is.Positive, "the sensor asked");
             Assert.That(running, Is.GreaterThan(queries));
             Assert.That(most, Is.GreaterThan(first), "what is measured counts buffers");
-            Assert.That(Profiler.GetAllocatedMemoryForGraphicsDriver() - first, Is.LessThan(2 * running), "190 cycles that kept a hundredth of their memory would show");
+            Assert.That(Profiler.GetAllocatedMemoryForGraphicsDriver() - first, Is.LessThan(2 * running),
+                "190 cycles that kept a hundredth of their memory would show");
         }
 
         [UnityTest]
@@ -240,7 +243,7 @@ namespace SphFluid.Tests
             Assert.That(FluidSimulation.Active, Is.EqualTo(new[] { simulation }));
         }
 
-        static IEnumerator Until(FluidSimulation simulation)
+        private static IEnumerator Until(FluidSimulation simulation)
         {
             for (int frame = 0; frame < 5 && !simulation.IsRunning; frame++) yield return null;
             Assert.That(simulation.IsRunning, simulation.StatusMessage);

@@ -35,7 +35,8 @@ namespace SphFluid.Tests
                 Vector3 at = holder.transform.position;
                 int inside = start.Count(p => IsInside(p.Position, 0.16f));
                 Assert.That(inside, Is.EqualTo(start.Length));
-                Assert.That(end.Count(p => IsInside(p.Position - at, 0.16f)), Is.EqualTo(start.Length), $"contacts {counters.Contacts}, squeezed {counters.Squeezed}");
+                Assert.That(end.Count(p => IsInside(p.Position - at, 0.16f)), Is.EqualTo(start.Length),
+                    $"contacts {counters.Contacts}, squeezed {counters.Squeezed}");
                 Assert.That(counters.Squeezed + counters.NonFinite + counters.Overlaps, Is.Zero);
                 Object.DestroyImmediate(mesh);
             }
@@ -84,12 +85,14 @@ namespace SphFluid.Tests
                     if (simulation.IsRunning && bothMove) right.position -= 0.012f * Vector3.right;
                     yield return null;
                 }
-                Assert.That(found, Does.Contain("had no place between").And.Contain("'Left press'").And.Contain(bothMove ? "'Right press'" : "a collider at rest"));
+                Assert.That(found,
+                    Does.Contain("had no place between").And.Contain("'Left press'").And
+                        .Contain(bothMove ? "'Right press'" : "a collider at rest"));
             }
         }
 
         // As wide as the domain, so that liquid cannot get past.
-        static Transform Plate(SimulationRig rig, string name, float x)
+        private static Transform Plate(SimulationRig rig, string name, float x)
         {
             Transform plate = rig.NewObject(name).transform;
             plate.gameObject.AddComponent<BoxCollider>().size = new Vector3(0.04f, 0.5f, 0.5f);
@@ -113,7 +116,8 @@ namespace SphFluid.Tests
                 holder.AddComponent<FluidCollider>();
                 yield return null;
                 yield return null;
-                Assert.That(SimulationRig.Read(simulation).All(p => IsInside(holder.transform.InverseTransformPoint(p.Position), 0.2f)), Is.True);
+                Assert.That(SimulationRig.Read(simulation).All(p => IsInside(holder.transform.InverseTransformPoint(p.Position), 0.2f)),
+                    Is.True);
                 for (int frame = 1; frame <= 30; frame++)
                 {
                     float swing = 0.25f * Mathf.Sin(0.4f * frame); // 4 Hz
@@ -130,7 +134,8 @@ namespace SphFluid.Tests
                 foreach (FluidParticle particle in SimulationRig.Read(simulation))
                 {
                     Vector3 local = holder.transform.InverseTransformPoint(particle.Position);
-                    Assert.That(IsInside(local, 0.2f), Is.True, $"particle {particle.Id} is at {local} of the box, contacts {counters.Contacts}, squeezed {counters.Squeezed}");
+                    Assert.That(IsInside(local, 0.2f), Is.True,
+                        $"particle {particle.Id} is at {local} of the box, contacts {counters.Contacts}, squeezed {counters.Squeezed}");
                 }
                 Assert.That(counters.Squeezed + counters.NonFinite + counters.Overlaps, Is.Zero);
                 Assert.That(simulation.Messages.Any(m => m.Issue == FluidIssue.ColliderJumped), Is.False);
@@ -153,13 +158,15 @@ namespace SphFluid.Tests
                 yield return null;
                 yield return null;
                 Assert.That(SimulationRig.Read(simulation).All(p => IsInside(p.Position, 0.16f)), Is.True);
-                LogAssert.Expect(LogType.Warning, new Regex("'Vessel'.*(" + (change == "zero" ? "zero or non-finite scale" : "put at its new place at once") + ")"));
+                LogAssert.Expect(LogType.Warning,
+                    new Regex("'Vessel'.*(" + (change == "zero" ? "zero or non-finite scale" : "put at its new place at once") + ")"));
                 if (change == "mirrored") holder.transform.localScale = new Vector3(-1f, 1f, 1f);
                 else if (change == "zero") holder.transform.localScale = new Vector3(1f, 0f, 1f);
                 else
                 {
                     mesh.vertices = mesh.vertices.Select(v => v + 0.5f * Vector3.right).ToArray();
-                    mesh.triangles = mesh.triangles.Skip(3).Concat(mesh.triangles.Take(3)).ToArray(); // others than those before, corner by corner
+                    // others than those before, corner by corner
+                    mesh.triangles = mesh.triangles.Skip(3).Concat(mesh.triangles.Take(3)).ToArray();
                     mesh.RecalculateBounds();
                     collider.sharedMesh = mesh;
                 }
@@ -168,18 +175,26 @@ namespace SphFluid.Tests
                 FluidMessage message = simulation.Messages.Single(m => m.Issue == expected);
                 Assert.That(message.Context, Is.SameAs(collider));
                 if (change == "triangles")
-                    Assert.That(SimulationRig.Read(simulation).Count(p => !IsInside(p.Position - 0.5f * Vector3.right, 0.16f)), Is.GreaterThan(30), "they were left behind");
+                {
+                    Assert.That(SimulationRig.Read(simulation).Count(p => !IsInside(p.Position - 0.5f * Vector3.right, 0.16f)),
+                        Is.GreaterThan(30), "they were left behind");
+                }
                 Object.DestroyImmediate(mesh);
             }
         }
 
-        static bool IsInside(Vector3 p, float half) => Mathf.Abs(p.x) < half && Mathf.Abs(p.y) < half && Mathf.Abs(p.z) < half;
+        private static bool IsInside(Vector3 p, float half) => Mathf.Abs(p.x) < half && Mathf.Abs(p.y) < half && Mathf.Abs(p.z) < half;
 
         // Faces inward: a hollow, not a solid.
-        static Mesh Box(float half)
+        private static Mesh Box(float half)
         {
             var corners = Enumerable.Range(0, 8).Select(i => half * new Vector3((i & 1) * 2 - 1, (i & 2) - 1, (i & 4) / 2 - 1)).ToArray();
-            return new Mesh { vertices = corners, triangles = new[] { 0, 1, 2, 1, 3, 2, 4, 6, 5, 5, 6, 7, 0, 4, 1, 1, 4, 5, 2, 3, 6, 3, 7, 6, 0, 2, 4, 2, 6, 4, 1, 5, 3, 3, 5, 7 } };
+            return new Mesh
+            {
+                vertices = corners,
+                triangles =
+                    new[] { 0, 1, 2, 1, 3, 2, 4, 6, 5, 5, 6, 7, 0, 4, 1, 1, 4, 5, 2, 3, 6, 3, 7, 6, 0, 2, 4, 2, 6, 4, 1, 5, 3, 3, 5, 7 }
+            };
         }
     }
 }

@@ -9,7 +9,7 @@ namespace SphFluid.Tests
     /// <summary>A tank without a floor, as a component: what left is reported, measured by nobody and drawn by nobody.</summary>
     public sealed class OpenDomainTests
     {
-        SimulationRig rig;
+        private SimulationRig rig;
 
         [SetUp]
         public void SetUp() => rig = new SimulationRig();
@@ -66,7 +66,7 @@ namespace SphFluid.Tests
             Object.DestroyImmediate(target);
         }
 
-        FluidSimulation OpenTank()
+        private FluidSimulation OpenTank()
         {
             FluidSimulation simulation = rig.Create();
             simulation.Method = FluidMethodKind.Standard;
@@ -74,7 +74,7 @@ namespace SphFluid.Tests
             return simulation;
         }
 
-        static int Bright(RenderTexture target)
+        private static int Bright(RenderTexture target)
         {
             RenderTexture active = RenderTexture.active;
             RenderTexture.active = target;

@@ -12,9 +12,9 @@ namespace SphFluid.Tests
     /// <summary>A simulation beside a component that plays a liquid.</summary>
     public sealed class PlaybackSourceTests
     {
-        SimulationRig rig;
-        FluidSimulation simulation;
-        Source source;
+        private SimulationRig rig;
+        private FluidSimulation simulation;
+        private Source source;
 
         [SetUp]
         public void SetUp()
@@ -69,7 +69,8 @@ namespace SphFluid.Tests
         {
             yield return null;
             source.Count = Source.Most + 1;
-            LogAssert.Expect(LogType.Error, new Regex($"{Source.Most + 1} particles, more than the {Source.Most} that its MostParticles gave"));
+            LogAssert.Expect(LogType.Error,
+                new Regex($"{Source.Most + 1} particles, more than the {Source.Most} that its MostParticles gave"));
             yield return null;
             Assert.That(simulation.IsRunning, Is.False);
         }
@@ -84,11 +85,11 @@ namespace SphFluid.Tests
         }
 
         [DefaultExecutionOrder(40)]
-        sealed class Source : MonoBehaviour, IFluidPlaybackSource, IFluidPlayback
+        private sealed class Source : MonoBehaviour, IFluidPlaybackSource, IFluidPlayback
         {
             public const int Most = 3;
 
-            NativeArray<FluidParticle> particles;
+            private NativeArray<FluidParticle> particles;
 
             public IFluidPlayback Playback => enabled ? this : null;
 
@@ -102,7 +103,11 @@ namespace SphFluid.Tests
 
             public void Check(Vector3 domainSize, float spacing, List<FluidMessage> messages)
             {
-                if (IsBad) messages.Add(new FluidMessage(FluidSeverity.Error, FluidIssue.PlaybackInvalid, this, "The film is torn.", "Splice it."));
+                if (IsBad)
+                {
+                    messages
+                        .Add(new FluidMessage(FluidSeverity.Error, FluidIssue.PlaybackInvalid, this, "The film is torn.", "Splice it."));
+                }
             }
 
             public bool TryTake(Vector3 domainSize, Vector3 period, bool isNew, out FluidPlaybackFrame frame)
@@ -112,9 +117,9 @@ namespace SphFluid.Tests
                 return true;
             }
 
-            void Awake() => particles = new NativeArray<FluidParticle>(Most + 1, Allocator.Persistent);
+            private void Awake() => particles = new NativeArray<FluidParticle>(Most + 1, Allocator.Persistent);
 
-            void OnDestroy() => particles.Dispose();
+            private void OnDestroy() => particles.Dispose();
         }
     }
 }

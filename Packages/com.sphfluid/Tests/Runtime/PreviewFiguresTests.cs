@@ -9,7 +9,7 @@ namespace SphFluid.Tests
     /// <summary>Figures that are shown before a start are those that it then has.</summary>
     public sealed class PreviewFiguresTests
     {
-        SimulationRig rig;
+        private SimulationRig rig;
 
         [SetUp]
         public void SetUp() => rig = new SimulationRig();
@@ -73,7 +73,8 @@ namespace SphFluid.Tests
             Assert.That(timer.FrameCount, Is.InRange(5, 20));
             Assert.That(timer.StepsAFrame, Is.GreaterThan(1.0).And.LessThanOrEqualTo(simulation.StepCount));
             Assert.That(timer.MillisecondsAFrame, Is.GreaterThan(0.0));
-            Assert.That(timer.NanosecondsAParticleStep * 64.0 * timer.StepsAFrame * 1e-6, Is.EqualTo(timer.MillisecondsAFrame).Within(0.1).Percent);
+            Assert.That(timer.NanosecondsAParticleStep * 64.0 * timer.StepsAFrame * 1e-6,
+                Is.EqualTo(timer.MillisecondsAFrame).Within(0.1).Percent);
             simulation.EndTiming();
             Assert.That(simulation.Timer, Is.SameAs(timer), "another still asks");
             simulation.EndTiming();
@@ -81,7 +82,7 @@ namespace SphFluid.Tests
             yield return null;
         }
 
-        static FluidPreview PreviewOf(FluidSimulation simulation)
+        private static FluidPreview PreviewOf(FluidSimulation simulation)
         {
             using (var memory = new PreviewMemory())
             {
@@ -92,7 +93,7 @@ namespace SphFluid.Tests
             }
         }
 
-        static GameObject Obstacle(int number)
+        private static GameObject Obstacle(int number)
         {
             GameObject made = GameObject.CreatePrimitive(number == 0 ? PrimitiveType.Cube : PrimitiveType.Sphere);
             made.layer = SimulationRig.Layer;

@@ -10,11 +10,11 @@ namespace SphFluid.Tests
     /// <summary>Recorded frames are played again, and the first one that differs is found.</summary>
     public sealed class ReplayTests
     {
-        const int Frames = 14;
+        private const int Frames = 14;
 
-        SimulationRig rig;
-        FluidSimulation simulation;
-        Transform gate;
+        private SimulationRig rig;
+        private FluidSimulation simulation;
+        private Transform gate;
 
         [SetUp]
         public void SetUp()
@@ -33,16 +33,16 @@ namespace SphFluid.Tests
             rig.Dispose();
         }
 
-        void Move(int frame, float farther = 0f) => gate.position = new Vector3(0.12f - 0.003f * frame - farther, -0.02f, 0f);
+        private void Move(int frame, float farther = 0f) => gate.position = new Vector3(0.12f - 0.003f * frame - farther, -0.02f, 0f);
 
-        IEnumerator Begin()
+        private IEnumerator Begin()
         {
             while (!simulation.IsRunning) yield return null;
             for (int i = 0; i < 3; i++) yield return null;
         }
 
         // Frames of several lengths, a pause, single steps and slow motion.
-        IEnumerator Record(MemoryStream stream)
+        private IEnumerator Record(MemoryStream stream)
         {
             yield return Begin();
             using (var recording = new FluidRecording(simulation, stream))
@@ -68,7 +68,7 @@ namespace SphFluid.Tests
             Time.captureDeltaTime = 1f / 50f;
         }
 
-        IEnumerator Play(FluidReplay replay, int wrongFrame = -1)
+        private IEnumerator Play(FluidReplay replay, int wrongFrame = -1)
         {
             for (int frame = 0; frame < Frames; frame++)
             {
@@ -131,7 +131,8 @@ namespace SphFluid.Tests
                     Move(frame++);
                     yield return null;
                 }
-                Assert.That((replay.FrameCount, replay.FirstDifference, replay.IsDamaged), Is.EqualTo((cut ? Frames - 1 : Frames - 2, -1, true)));
+                Assert.That((replay.FrameCount, replay.FirstDifference, replay.IsDamaged),
+                    Is.EqualTo((cut ? Frames - 1 : Frames - 2, -1, true)));
             }
         }
 
@@ -143,11 +144,13 @@ namespace SphFluid.Tests
             Assert.That(() => new FluidRecording(simulation, new MemoryStream()), Throws.InvalidOperationException);
             yield return Begin();
             LogAssert.ignoreFailingMessages = true;
-            Assert.That(() => new FluidReplay(simulation, new MemoryStream()), Throws.TypeOf<InvalidDataException>().With.Message.Contains("cut"));
+            Assert.That(() => new FluidReplay(simulation, new MemoryStream()),
+                Throws.TypeOf<InvalidDataException>().With.Message.Contains("cut"));
             LogAssert.ignoreFailingMessages = false;
             using (var recording = new FluidRecording(simulation, new MemoryStream()))
             {
-                Assert.That(() => new FluidRecording(simulation, new MemoryStream()), Throws.InvalidOperationException.With.Message.Contains("already"));
+                Assert.That(() => new FluidRecording(simulation, new MemoryStream()),
+                    Throws.InvalidOperationException.With.Message.Contains("already"));
                 simulation.StopSimulation();
                 Assert.That(recording.IsRecording, Is.False);
             }

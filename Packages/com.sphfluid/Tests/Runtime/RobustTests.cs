@@ -11,9 +11,9 @@ namespace SphFluid.Tests
     /// <summary>Simulations by the Robust method in play: real time, emitters and drains, saves, messages.</summary>
     public sealed class RobustTests
     {
-        const float Frame = 1f / 64f;
+        private const float Frame = 1f / 64f;
 
-        SimulationRig rig;
+        private SimulationRig rig;
 
         [SetUp]
         public void SetUp() => rig = new SimulationRig(Frame);
@@ -21,7 +21,7 @@ namespace SphFluid.Tests
         [TearDown]
         public void TearDown() => rig.Dispose();
 
-        FluidSimulation Create(bool liquid = true)
+        private FluidSimulation Create(bool liquid = true)
         {
             FluidSimulation simulation = rig.Create(liquid: liquid);
             simulation.Method = FluidMethodKind.Robust;
@@ -30,7 +30,7 @@ namespace SphFluid.Tests
         }
 
         // What each frame of the running liquid did.
-        static List<(double Frame, long Steps, double Time, float Step)> Follow(FluidSimulation simulation)
+        private static List<(double Frame, long Steps, double Time, float Step)> Follow(FluidSimulation simulation)
         {
             var frames = new List<(double, long, double, float)>();
             long steps = 0;

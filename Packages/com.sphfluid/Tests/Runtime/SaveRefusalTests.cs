@@ -10,8 +10,8 @@ namespace SphFluid.Tests
     /// <summary>What a restore refuses, and what it leaves as it is.</summary>
     public sealed class SaveRefusalTests
     {
-        SimulationRig rig;
-        FluidSimulation simulation;
+        private SimulationRig rig;
+        private FluidSimulation simulation;
 
         [SetUp]
         public void SetUp()
@@ -27,20 +27,20 @@ namespace SphFluid.Tests
             rig.Dispose();
         }
 
-        IEnumerator Play(int frames)
+        private IEnumerator Play(int frames)
         {
             while (!simulation.IsRunning) yield return null;
             for (int i = 0; i < frames; i++) yield return null;
         }
 
-        byte[] Save()
+        private byte[] Save()
         {
             var stream = new MemoryStream();
             simulation.Save(stream);
             return stream.ToArray();
         }
 
-        FluidMessage Refused(byte[] save)
+        private FluidMessage Refused(byte[] save)
         {
             LogAssert.ignoreFailingMessages = true;
             int logged = 0;
@@ -107,7 +107,8 @@ namespace SphFluid.Tests
             byte[] save = Save();
             ulong hash = simulation.ComputeStateHash();
             simulation.StopSimulation();
-            Assert.That(() => simulation.Save(new MemoryStream()), Throws.InvalidOperationException.With.Message.Contains("nothing to save"));
+            Assert.That(() => simulation.Save(new MemoryStream()),
+                Throws.InvalidOperationException.With.Message.Contains("nothing to save"));
             Assert.That(() => simulation.Save(null), Throws.ArgumentNullException);
             Assert.That(() => simulation.Restore(null), Throws.ArgumentNullException);
             int started = 0;

@@ -14,15 +14,15 @@ namespace SphFluid.Tests
     /// <summary>A running liquid to bytes and back.</summary>
     public sealed class SavingTests
     {
-        const float Spacing = 0.05f;
-        const float Frame = 1f / 64f; // sums of it are exact: the times of a later run differ by whole frames
+        private const float Spacing = 0.05f;
+        private const float Frame = 1f / 64f; // sums of it are exact: the times of a later run differ by whole frames
 
-        readonly float fixedDelta = Time.fixedDeltaTime;
-        SimulationRig rig;
-        FluidSimulation simulation;
-        Transform paddle;
-        Mesh waving;
-        int frame;
+        private readonly float fixedDelta = Time.fixedDeltaTime;
+        private SimulationRig rig;
+        private FluidSimulation simulation;
+        private Transform paddle;
+        private Mesh waving;
+        private int frame;
 
         [SetUp]
         public void SetUp()
@@ -48,7 +48,7 @@ namespace SphFluid.Tests
             rig.Dispose();
         }
 
-        Transform AddPaddle()
+        private Transform AddPaddle()
         {
             GameObject holder = rig.NewObject("Paddle");
             holder.AddComponent<BoxCollider>().size = new Vector3(0.05f, 0.4f, 0.25f);
@@ -58,7 +58,7 @@ namespace SphFluid.Tests
         }
 
         // A cube whose top goes to and fro; it moves as well.
-        void AddWavingMesh()
+        private void AddWavingMesh()
         {
             waving = TestMeshes.Cube();
             AddPaddle();
@@ -67,26 +67,30 @@ namespace SphFluid.Tests
             Swing();
         }
 
-        void Wave()
+        private void Wave()
         {
             Vector3[] corners = waving.vertices;
             for (int i = 0; i < corners.Length; i++)
-                if (corners[i].y > 0f) corners[i] = new Vector3(Mathf.Sign(corners[i].x) * 0.5f, 0.5f + 0.2f * Mathf.Sin(0.2f * frame), corners[i].z);
+                if (corners[i].y > 0f)
+                {
+                    corners[i] = new Vector3(Mathf.Sign(corners[i].x) * 0.5f, 0.5f + 0.2f * Mathf.Sin(0.2f * frame), corners[i].z);
+                }
             waving.vertices = corners;
             waving.RecalculateBounds();
         }
 
         // To and fro, turning and growing.
-        void Swing()
+        private void Swing()
         {
             if (waving != null) Wave();
             if (paddle == null) return;
             float phase = 0.1f * frame;
-            paddle.SetPositionAndRotation(new Vector3(-0.2f + 0.05f * Mathf.Sin(phase), -0.1f, 0f), Quaternion.Euler(0f, 0f, 10f * Mathf.Sin(0.7f * phase)));
+            paddle.SetPositionAndRotation(new Vector3(-0.2f + 0.05f * Mathf.Sin(phase), -0.1f, 0f),
+                Quaternion.Euler(0f, 0f, 10f * Mathf.Sin(0.7f * phase)));
             paddle.localScale = (waving != null ? 0.3f : 1f) * (1f + 0.1f * Mathf.Sin(0.5f * phase)) * Vector3.one;
         }
 
-        Rigidbody AddCrate()
+        private Rigidbody AddCrate()
         {
             GameObject crate = rig.NewObject("Crate");
             crate.transform.SetPositionAndRotation(new Vector3(0.1f, 0.05f, 0f), Quaternion.Euler(8f, 0f, 3f));
@@ -96,7 +100,7 @@ namespace SphFluid.Tests
             return body;
         }
 
-        FluidEmitter AddNozzle()
+        private FluidEmitter AddNozzle()
         {
             GameObject holder = rig.NewObject("Nozzle");
             holder.transform.SetParent(simulation.transform, false);
@@ -108,7 +112,7 @@ namespace SphFluid.Tests
             return emitter;
         }
 
-        FluidDrain AddDrain()
+        private FluidDrain AddDrain()
         {
             GameObject holder = rig.NewObject("Drain");
             holder.transform.SetParent(simulation.transform, false);
@@ -118,7 +122,7 @@ namespace SphFluid.Tests
             return drain;
         }
 
-        IEnumerator Play(int frames, List<ulong> hashes = null)
+        private IEnumerator Play(int frames, List<ulong> hashes = null)
         {
             while (!simulation.IsRunning) yield return null;
             for (int i = 0; i < frames; i++)
@@ -130,14 +134,14 @@ namespace SphFluid.Tests
             }
         }
 
-        byte[] Save()
+        private byte[] Save()
         {
             var stream = new MemoryStream();
             simulation.Save(stream);
             return stream.ToArray();
         }
 
-        IEnumerator CheckContinuation(Rigidbody crate, int before = 8, int after = 5)
+        private IEnumerator CheckContinuation(Rigidbody crate, int before = 8, int after = 5)
         {
             yield return Play(before);
             byte[] save = Save();
@@ -163,7 +167,7 @@ namespace SphFluid.Tests
         }
 
         // What a game saves of a Rigidbody.
-        static float[] PlaceOf(Rigidbody body)
+        private static float[] PlaceOf(Rigidbody body)
         {
             if (body == null) return new float[0];
 #pragma warning disable 618 // linearVelocity in Unity 6
@@ -171,7 +175,7 @@ namespace SphFluid.Tests
             return new[] { p.x, p.y, p.z, q.x, q.y, q.z, q.w, v.x, v.y, v.z, w.x, w.y, w.z };
         }
 
-        static void Bring(Rigidbody body, float[] n)
+        private static void Bring(Rigidbody body, float[] n)
         {
             if (body == null) return;
             var position = new Vector3(n[0], n[1], n[2]);
@@ -246,8 +250,8 @@ namespace SphFluid.Tests
         }
 
         /// <summary>
-        /// With a folder in SPHFLUID_SAVE_FOLDER, a first process saves there and goes on, and a second one, of the same command, restores and compares;
-        /// SPHFLUID_SAVE_FRAMES frames after the save. Without, one process does both, in scenes of their own.
+        /// With a folder in SPHFLUID_SAVE_FOLDER, a first process saves there and goes on, and a second one, of the same command, restores
+        /// and compares; SPHFLUID_SAVE_FRAMES frames after the save. Without, one process does both, in scenes of their own.
         /// </summary>
         [UnityTest]
         public IEnumerator InAnotherProcess()
@@ -265,7 +269,7 @@ namespace SphFluid.Tests
             TestFolder.Delete(folder);
         }
 
-        IEnumerator SaveAndGoOn(string folder, int frames)
+        private IEnumerator SaveAndGoOn(string folder, int frames)
         {
             AddPaddle();
             AddNozzle();
@@ -277,10 +281,11 @@ namespace SphFluid.Tests
             File.WriteAllBytes(Path.Combine(folder, "crate.bytes"), place);
             var hashes = new List<ulong>();
             yield return Play(frames, hashes);
-            File.WriteAllLines(Path.Combine(folder, "hashes.txt"), hashes.Select(h => h.ToString("X16", CultureInfo.InvariantCulture)).Append($"{simulation.StepCount} steps"));
+            File.WriteAllLines(Path.Combine(folder, "hashes.txt"),
+                hashes.Select(h => h.ToString("X16", CultureInfo.InvariantCulture)).Append($"{simulation.StepCount} steps"));
         }
 
-        IEnumerator RestoreAndCompare(string folder, int frames)
+        private IEnumerator RestoreAndCompare(string folder, int frames)
         {
             yield return Play(2); // the first frame has a time of its own
             frame = 12;
@@ -291,11 +296,13 @@ namespace SphFluid.Tests
             byte[] bytes = File.ReadAllBytes(Path.Combine(folder, "crate.bytes"));
             Buffer.BlockCopy(bytes, 0, place, 0, bytes.Length);
             Bring(crate, place);
-            using (FileStream stream = File.OpenRead(Path.Combine(folder, "liquid.save"))) Assert.That(simulation.Restore(stream), simulation.StatusMessage);
+            using (FileStream stream =
+                File.OpenRead(Path.Combine(folder, "liquid.save"))) Assert.That(simulation.Restore(stream), simulation.StatusMessage);
             var hashes = new List<ulong>();
             yield return Play(frames, hashes);
             string[] first = File.ReadAllLines(Path.Combine(folder, "hashes.txt"));
-            Assert.That(hashes.Select(h => h.ToString("X16", CultureInfo.InvariantCulture)).Append($"{simulation.StepCount} steps"), Is.EqualTo(first));
+            Assert.That(hashes.Select(h => h.ToString("X16", CultureInfo.InvariantCulture)).Append($"{simulation.StepCount} steps"),
+                Is.EqualTo(first));
             Assert.That(hashes.Distinct().Count(), Is.EqualTo(frames));
         }
     }

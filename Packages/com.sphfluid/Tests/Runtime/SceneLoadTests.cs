@@ -12,10 +12,10 @@ namespace SphFluid.Tests
     /// <summary>Scenes with liquid come and go: nothing of them stays.</summary>
     public sealed class SceneLoadTests
     {
-        const int Scenes = 50, Settled = 9;
+        private const int Scenes = 50, Settled = 9;
 
-        SimulationRig rig;
-        Material material;
+        private SimulationRig rig;
+        private Material material;
 
         [SetUp]
         public void SetUp()
@@ -57,10 +57,11 @@ namespace SphFluid.Tests
             }
             Assert.That(FluidSimulation.Active, Is.Empty);
             Assert.That(most - first, Is.GreaterThan(running / 2), "what is measured counts buffers");
-            Assert.That(Profiler.GetAllocatedMemoryForGraphicsDriver() - first, Is.LessThan(running), "a fortieth of a scene's memory that stayed would show");
+            Assert.That(Profiler.GetAllocatedMemoryForGraphicsDriver() - first, Is.LessThan(running),
+                "a fortieth of a scene's memory that stayed would show");
         }
 
-        FluidSimulation Furnish(Scene scene)
+        private FluidSimulation Furnish(Scene scene)
         {
             FluidSimulation simulation = rig.Create();
             SceneManager.MoveGameObjectToScene(simulation.gameObject, scene);

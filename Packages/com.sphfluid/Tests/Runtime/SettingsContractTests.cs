@@ -9,7 +9,7 @@ namespace SphFluid.Tests
     /// <summary>Settings of the package that they should not have.</summary>
     public sealed class SettingsContractTests : SettingsContract
     {
-        static IEnumerable<Type> Roots => RootsOf(typeof(FluidSimulation).Assembly);
+        private static IEnumerable<Type> Roots => RootsOf(typeof(FluidSimulation).Assembly);
 
         [UnityTest]
         public IEnumerator BadValuesAreClampedOrToldOrThrown([ValueSource(nameof(Roots))] Type type) => TryAll(type);

@@ -10,8 +10,8 @@ namespace SphFluid.Tests
     /// <summary>Changed settings take effect: at once where the liquid can go on, else by a new start.</summary>
     public sealed class SettingsDuringPlayTests
     {
-        SimulationRig rig;
-        FluidSimulation simulation;
+        private SimulationRig rig;
+        private FluidSimulation simulation;
 
         [SetUp]
         public void SetUp()
@@ -204,7 +204,8 @@ namespace SphFluid.Tests
             yield return null;
             int frames = SubstepMonitor.StartFrames + (int)(SubstepMonitor.LastingTime / 0.01) + 10;
             simulation.MaxSubstepsPerFrame = 1;
-            LogAssert.Expect(LogType.Warning, new Regex(@"\[SPH Fluid\] 'Fluid': A frame of 10 ms needs \d+ steps of .* at most 1 are allowed.*Max Substeps Per Frame"));
+            LogAssert.Expect(LogType.Warning,
+                new Regex(@"\[SPH Fluid\] 'Fluid': A frame of 10 ms needs \d+ steps of .* at most 1 are allowed.*Max Substeps Per Frame"));
             double before = simulation.SimulatedTime;
             int reported = 0;
             simulation.Reported += message => reported += message.Issue == FluidIssue.SubstepCap ? 1 : 0;

@@ -10,20 +10,21 @@ using Object = UnityEngine.Object;
 namespace SphFluid.Tests
 {
     /// <summary>
-    /// Every kind of collider on a Rigidbody, made unfit in every way that it can be, alone or beside one that serves: the liquid goes on, and each is named
-    /// once with a cure.
+    /// Every kind of collider on a Rigidbody, made unfit in every way that it can be, alone or beside one that serves: the liquid goes on,
+    /// and each is named once with a cure.
     /// </summary>
     public sealed class SkippedColliderTests
     {
-        static readonly string[] MeshFaults = { "no mesh", "no vertices", "no triangles", "lines", "not readable", "no area", "no numbers" };
+        private static readonly string[] MeshFaults = { "no mesh", "no vertices", "no triangles", "lines", "not readable", "no area",
+            "no numbers" };
 
-        readonly float fixedDelta = Time.fixedDeltaTime;
-        readonly List<Object> made = new List<Object>();
-        readonly List<string> faults = new List<string>();
-        SimulationRig rig;
-        FluidSimulation simulation;
-        string current;
-        int updates;
+        private readonly float fixedDelta = Time.fixedDeltaTime;
+        private readonly List<Object> made = new List<Object>();
+        private readonly List<string> faults = new List<string>();
+        private SimulationRig rig;
+        private FluidSimulation simulation;
+        private string current;
+        private int updates;
 
         [SetUp]
         public void SetUp()
@@ -46,7 +47,7 @@ namespace SphFluid.Tests
             foreach (Object item in made) Object.DestroyImmediate(item);
         }
 
-        static IEnumerable<(string Name, Func<SkippedColliderTests, GameObject, Component> Add)> Cases()
+        private static IEnumerable<(string Name, Func<SkippedColliderTests, GameObject, Component> Add)> Cases()
         {
             yield return ("box, no size", (t, o) => t.Box(o, new Vector3(0.1f, 0f, 0.1f)));
             yield return ("box, size no number", (t, o) => t.Box(o, new Vector3(0.1f, float.NaN, 0.1f)));
@@ -71,7 +72,10 @@ namespace SphFluid.Tests
                 foreach (string fault in MeshFaults) yield return (kind + fault, (t, o) => t.MeshOf(o, convex, t.Faulty(fault)));
                 yield return (kind + "no scale", (t, o) => t.MeshOf(Scaled(o, new Vector3(1f, 1f, 0f)), convex, t.Faulty("none")));
             }
-            foreach (string fault in MeshFaults.Skip(1).Append("too many vertices")) yield return ("skin, " + fault, (t, o) => t.Skin(o, t.Faulty(fault)));
+            foreach (string fault in MeshFaults.Skip(1).Append("too many vertices"))
+            {
+                yield return ("skin, " + fault, (t, o) => t.Skin(o, t.Faulty(fault)));
+            }
             yield return ("skin, no scale", (t, o) => t.Skin(Scaled(o, Vector3.zero), t.Faulty("none")));
         }
 
@@ -94,59 +98,66 @@ namespace SphFluid.Tests
                 yield return null;
                 yield return null;
                 if (updates != 2) Fail($"{updates} of 2 frames were finished");
-                if (beside && simulation.Solver.State.Bodies.Floating.Count != 1) Fail("the liquid does not move the body by the collider that serves");
+                if (beside && simulation.Solver.State.Bodies.Floating.Count != 1)
+                {
+                    Fail("the liquid does not move the body by the collider that serves");
+                }
                 List<FluidMessage> found = simulation.Messages.Where(m => m.Context == unfit).ToList();
                 if (found.Count == 0 && unfit is MeshCollider) found = simulation.Validate().Where(m => m.Context == unfit).ToList();
-                bool isThere = !(unfit is Collider) || unfit is MeshCollider || unfit is WheelCollider || Physics.OverlapBox(Vector3.zero, Vector3.one).Contains(unfit);
-                if (isThere ? found.Count != 1 || found[0].Severity != FluidSeverity.Warning || string.IsNullOrEmpty(found[0].Cure) : found.Count > 0)
+                bool isThere = !(unfit is Collider) || unfit is MeshCollider || unfit is WheelCollider ||
+                    Physics.OverlapBox(Vector3.zero, Vector3.one).Contains(unfit);
+                if (isThere ? found.Count != 1 || found[0].Severity != FluidSeverity.Warning ||
+                    string.IsNullOrEmpty(found[0].Cure) : found.Count > 0)
+                {
                     Fail("named: " + (found.Count == 0 ? "not" : string.Join(" / ", found.Select(m => m.ToString()))));
+                }
                 Object.DestroyImmediate(body);
             }
             Assert.That(faults, Is.Empty, string.Join("\n", faults));
         }
 
-        void Note(string text, string trace, LogType type)
+        private void Note(string text, string trace, LogType type)
         {
             if (type != LogType.Warning && type != LogType.Log) Fail(text + "\n" + trace);
         }
 
-        void Fail(string what) => faults.Add($"{current}: {what}");
+        private void Fail(string what) => faults.Add($"{current}: {what}");
 
-        static GameObject Scaled(GameObject o, Vector3 scale)
+        private static GameObject Scaled(GameObject o, Vector3 scale)
         {
             o.transform.localScale = scale;
             return o;
         }
 
-        BoxCollider Box(GameObject o, Vector3 size)
+        private BoxCollider Box(GameObject o, Vector3 size)
         {
             var box = o.AddComponent<BoxCollider>();
             box.size = size;
             return box;
         }
 
-        Component Sphere(GameObject o, float radius)
+        private Component Sphere(GameObject o, float radius)
         {
             var sphere = o.AddComponent<SphereCollider>();
             sphere.radius = radius;
             return sphere;
         }
 
-        Component Capsule(GameObject o, float radius)
+        private Component Capsule(GameObject o, float radius)
         {
             var capsule = o.AddComponent<CapsuleCollider>();
             (capsule.radius, capsule.height) = (radius, 0.15f);
             return capsule;
         }
 
-        Component Character(GameObject o, float radius)
+        private Component Character(GameObject o, float radius)
         {
             var character = o.AddComponent<CharacterController>();
             (character.radius, character.height) = (radius, 0.15f);
             return character;
         }
 
-        Component Wheel(GameObject o, float radius)
+        private Component Wheel(GameObject o, float radius)
         {
             o.AddComponent<FluidCollider>().WheelColliders = true;
             var wheel = o.AddComponent<WheelCollider>();
@@ -154,7 +165,7 @@ namespace SphFluid.Tests
             return wheel;
         }
 
-        Component Terrain(GameObject o, int resolution, Vector3 size)
+        private Component Terrain(GameObject o, int resolution, Vector3 size)
         {
             var data = new TerrainData { heightmapResolution = resolution, size = size };
             made.Add(data);
@@ -163,7 +174,7 @@ namespace SphFluid.Tests
             return terrain;
         }
 
-        Component MeshOf(GameObject o, bool convex, Mesh mesh)
+        private Component MeshOf(GameObject o, bool convex, Mesh mesh)
         {
             var collider = o.AddComponent<MeshCollider>();
             collider.convex = convex;
@@ -171,7 +182,7 @@ namespace SphFluid.Tests
             return collider;
         }
 
-        Component Skin(GameObject o, Mesh mesh)
+        private Component Skin(GameObject o, Mesh mesh)
         {
             o.AddComponent<FluidCollider>().SkinnedMeshes = true;
             var skin = o.AddComponent<SkinnedMeshRenderer>();
@@ -180,7 +191,7 @@ namespace SphFluid.Tests
             return skin;
         }
 
-        Mesh Faulty(string fault)
+        private Mesh Faulty(string fault)
         {
             if (fault == "no mesh") return null;
             Mesh mesh = fault == "no vertices" ? new Mesh() : TestMeshes.Cube();

@@ -10,9 +10,9 @@ namespace SphFluid.Tests
     /// <summary>Liquid at rest takes no steps until something touches it.</summary>
     public sealed class SleepTests
     {
-        const int Most = 900;
+        private const int Most = 900;
 
-        SimulationRig rig;
+        private SimulationRig rig;
 
         [SetUp]
         public void SetUp() => rig = new SimulationRig(0.02f);
@@ -137,7 +137,7 @@ namespace SphFluid.Tests
             Assert.That(ends[1].Select(p => p.Position), Is.EqualTo(ends[0].Select(p => p.Position)), "to the last bit");
         }
 
-        static (string, Action)[] Touches(FluidSimulation simulation, GameObject box) => new (string, Action)[]
+        private static (string, Action)[] Touches(FluidSimulation simulation, GameObject box) => new (string, Action)[]
         {
             ("a collider moves", () => box.transform.position -= new Vector3(0.02f, 0f, 0f)),
             ("a collider goes", () => box.SetActive(false)),
@@ -155,7 +155,7 @@ namespace SphFluid.Tests
         };
 
         // 0.2 m wide and 0.12 m deep, 75 particles.
-        FluidSimulation Pool(string name = "Pool", Vector3 position = default)
+        private FluidSimulation Pool(string name = "Pool", Vector3 position = default)
         {
             FluidSimulation simulation = rig.Create(name, false, position);
             simulation.DomainSize = new Vector3(0.2f, 0.3f, 0.2f);
@@ -167,7 +167,7 @@ namespace SphFluid.Tests
             return simulation;
         }
 
-        static IEnumerator UntilAsleep(FluidSimulation simulation)
+        private static IEnumerator UntilAsleep(FluidSimulation simulation)
         {
             for (int frame = 0; frame < Most && !simulation.IsAsleep; frame++) yield return null;
             Assert.That(simulation.IsAsleep, $"after {simulation.SimulatedTime} s");

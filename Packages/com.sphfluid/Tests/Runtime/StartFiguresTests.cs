@@ -6,7 +6,7 @@ namespace SphFluid.Tests
     /// <summary>What a start derives from the scene.</summary>
     public sealed class StartFiguresTests
     {
-        SimulationRig rig;
+        private SimulationRig rig;
 
         [SetUp]
         public void SetUp() => rig = new SimulationRig();
@@ -47,10 +47,11 @@ namespace SphFluid.Tests
             FluidSolverSettings given = Start(FluidMethodKind.Thesis, Vector3.zero, part * byRule.TimeStep).Solver.Settings;
             Assert.That(given.TimeStep, Is.EqualTo(part * byRule.TimeStep));
             double displacement = byRule.Own<ThesisSettings>().AccelerationLimit * (double)byRule.TimeStep * byRule.TimeStep;
-            Assert.That(given.Own<ThesisSettings>().AccelerationLimit * (double)given.TimeStep * given.TimeStep, Is.EqualTo(displacement).Within(0.01).Percent);
+            Assert.That(given.Own<ThesisSettings>().AccelerationLimit * (double)given.TimeStep * given.TimeStep,
+                Is.EqualTo(displacement).Within(0.01).Percent);
         }
 
-        FluidSimulation Start(FluidMethodKind method, Vector3 velocity, float timeStep = 0f)
+        private FluidSimulation Start(FluidMethodKind method, Vector3 velocity, float timeStep = 0f)
         {
             FluidSimulation simulation = rig.Create($"{method} {velocity.magnitude} {timeStep}", false);
             simulation.Method = method;

@@ -11,10 +11,10 @@ namespace SphFluid.Tests
     /// <summary>Starts that take long tell how far they are, and can be ended.</summary>
     public sealed class StartWatcherTests
     {
-        SimulationRig rig;
-        FluidSimulation simulation;
-        IFluidStartWatcher before;
-        Watcher watcher;
+        private SimulationRig rig;
+        private FluidSimulation simulation;
+        private IFluidStartWatcher before;
+        private Watcher watcher;
 
         [SetUp]
         public void SetUp()
@@ -82,7 +82,7 @@ namespace SphFluid.Tests
             Assert.That(watcher.Seen, Is.Empty);
         }
 
-        sealed class Watcher : IFluidStartWatcher
+        private sealed class Watcher : IFluidStartWatcher
         {
             public readonly List<FluidStartProgress> Seen = new List<FluidStartProgress>();
             public int Patience = int.MaxValue;

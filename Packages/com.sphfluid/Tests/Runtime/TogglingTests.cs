@@ -12,12 +12,12 @@ using Object = UnityEngine.Object;
 namespace SphFluid.Tests
 {
     /// <summary>
-    /// Every public component around one liquid is turned off and on, destroyed and added, and gives all back. SPHFLUID_LONG_PLAY=50 does it so many times
-    /// and judges by the memory of the whole process as well.
+    /// Every public component around one liquid is turned off and on, destroyed and added, and gives all back. SPHFLUID_LONG_PLAY=50 does
+    /// it so many times and judges by the memory of the whole process as well.
     /// </summary>
     public sealed class TogglingTests
     {
-        const int Warm = 3;
+        private const int Warm = 3;
 
         [UnityTest]
         public IEnumerator EveryComponentReturnsItsMemory()
@@ -27,7 +27,10 @@ namespace SphFluid.Tests
             FluidSimulation simulation = rig.Create();
             var parts = new List<(GameObject Holder, Type Type)>();
             foreach (Type type in typeof(FluidSimulation).Assembly.GetTypes())
-                if (type.IsPublic && !type.IsAbstract && typeof(MonoBehaviour).IsAssignableFrom(type) && type != typeof(FluidSimulation)) parts.Add((Holder(rig, simulation, type), type));
+                if (type.IsPublic && !type.IsAbstract && typeof(MonoBehaviour).IsAssignableFrom(type) && type != typeof(FluidSimulation))
+                {
+                    parts.Add((Holder(rig, simulation, type), type));
+                }
             Assert.That(parts, Has.Count.GreaterThan(16));
             SwitchAll(parts, true);
             long running = 0, gpu = 0, process = 0;
@@ -60,9 +63,12 @@ namespace SphFluid.Tests
         }
 
         // What draws, or needs a simulation on its object, gets the liquid's.
-        static GameObject Holder(SimulationRig rig, FluidSimulation simulation, Type type)
+        private static GameObject Holder(SimulationRig rig, FluidSimulation simulation, Type type)
         {
-            if (typeof(FluidView).IsAssignableFrom(type) || type == typeof(FluidDiagnostics) || type == typeof(FluidWhitewater)) return simulation.gameObject;
+            if (typeof(FluidView).IsAssignableFrom(type) || type == typeof(FluidDiagnostics) || type == typeof(FluidWhitewater))
+            {
+                return simulation.gameObject;
+            }
             GameObject holder = rig.NewObject(type.Name);
             holder.transform.SetParent(simulation.transform, false);
             holder.transform.localPosition = new Vector3(0.1f, 0.15f, 0.1f);
@@ -70,7 +76,7 @@ namespace SphFluid.Tests
             return holder;
         }
 
-        static void SwitchAll(List<(GameObject Holder, Type Type)> parts, bool on)
+        private static void SwitchAll(List<(GameObject Holder, Type Type)> parts, bool on)
         {
             foreach ((GameObject holder, Type type) in parts)
             {
@@ -79,9 +85,9 @@ namespace SphFluid.Tests
             }
         }
 
-        static int Made() => Resources.FindObjectsOfTypeAll<Object>().Count(o => o is Mesh || o is Material || o is Texture);
+        private static int Made() => Resources.FindObjectsOfTypeAll<Object>().Count(o => o is Mesh || o is Material || o is Texture);
 
-        static long ProcessBytes()
+        private static long ProcessBytes()
         {
             GC.Collect();
             GC.WaitForPendingFinalizers();

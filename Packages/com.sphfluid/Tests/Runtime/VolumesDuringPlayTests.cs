@@ -7,11 +7,14 @@ using UnityEngine.TestTools;
 
 namespace SphFluid.Tests
 {
-    /// <summary>A volume that is enabled while the liquid runs adds its liquid, or says why not; of one that changes, the inspector says what that means.</summary>
+    /// <summary>
+    /// A volume that is enabled while the liquid runs adds its liquid, or says why not; of one that changes, the inspector says what that
+    /// means.
+    /// </summary>
     public sealed class VolumesDuringPlayTests
     {
-        SimulationRig rig;
-        FluidSimulation simulation;
+        private SimulationRig rig;
+        private FluidSimulation simulation;
 
         [SetUp]
         public void SetUp()
@@ -51,7 +54,8 @@ namespace SphFluid.Tests
             Assert.That(SimulationRig.Read(simulation).Length, Is.EqualTo(128));
             volume.enabled = false;
             yield return null;
-            Assert.That(simulation.DifferenceOf(volume).Value.ToString(), Does.Contain("'Switched'").And.Contain("was disabled").And.Contain("Restart"));
+            Assert.That(simulation.DifferenceOf(volume).Value.ToString(),
+                Does.Contain("'Switched'").And.Contain("was disabled").And.Contain("Restart"));
             simulation.RemoveLiquid(simulation.transform.position, 2f * Vector3.one, Quaternion.identity);
             yield return Frames(6);
             Assert.That(SimulationRig.Read(simulation), Is.Empty);
@@ -89,7 +93,8 @@ namespace SphFluid.Tests
         {
             simulation.Method = FluidMethodKind.Thesis;
             yield return Frames(2);
-            LogAssert.Expect(LogType.Warning, new Regex("'Late': The liquid volume was enabled while 'Fluid' runs by the method Thesis.*Restart.*Standard"));
+            LogAssert.Expect(LogType.Warning,
+                new Regex("'Late': The liquid volume was enabled while 'Fluid' runs by the method Thesis.*Restart.*Standard"));
             Add("Late", new Vector3(0.1f, 0f, 0f));
             yield return Frames(3);
             Assert.That(simulation.ParticleCount, Is.EqualTo(64));
@@ -105,7 +110,8 @@ namespace SphFluid.Tests
             yield return Frames(2);
             Assert.That(simulation.DifferenceOf(volume), Is.Null);
             volume.transform.localPosition += 0.02f * Vector3.up;
-            Assert.That(simulation.DifferenceOf(volume).Value.ToString(), Does.Contain("'Moved'").And.Contain("moved or changed").And.Contain("Restart"));
+            Assert.That(simulation.DifferenceOf(volume).Value.ToString(),
+                Does.Contain("'Moved'").And.Contain("moved or changed").And.Contain("Restart"));
             simulation.ResetSimulation();
             Assert.That(simulation.DifferenceOf(volume), Is.Null);
             volume.Size *= 0.5f;
@@ -128,14 +134,14 @@ namespace SphFluid.Tests
             Assert.That((dry.IsRunning, dry.ParticleCount), Is.EqualTo((true, 64)));
         }
 
-        FluidVolume Add(string name, Vector3 place)
+        private FluidVolume Add(string name, Vector3 place)
         {
             FluidVolume volume = rig.AddVolume(simulation, name);
             volume.transform.localPosition = place;
             return volume;
         }
 
-        static IEnumerator Frames(int count)
+        private static IEnumerator Frames(int count)
         {
             for (int frame = 0; frame < count; frame++) yield return null;
         }

@@ -7,7 +7,9 @@ namespace SphFluid.Tests
     /// <summary>Whether segments intersect triangles, by orientation signs that are exact for float coordinates.</summary>
     internal static class ExactGeometry
     {
-        /// <summary>Whether the closed segment intersects the closed triangle. A segment within the triangle's plane does not count.</summary>
+        /// <summary>
+        /// Whether the closed segment intersects the closed triangle. A segment within the triangle's plane does not count.
+        /// </summary>
         public static bool Intersects(Vector3 p, Vector3 q, Vector3 a, Vector3 b, Vector3 c)
         {
             int s0 = Orientation(a, b, c, p), s1 = Orientation(a, b, c, q);
@@ -25,12 +27,14 @@ namespace SphFluid.Tests
             return inside ? Math.Min(nearest, Math.Abs(Double3.Dot(p - a, normal)) / normal.Length) : nearest;
         }
 
-        static bool Faces(Double3 p, Double3 a, Double3 b, Double3 normal) => Double3.Dot(Double3.Cross(b - a, p - a), normal) >= 0.0;
+        private static bool Faces(Double3 p, Double3 a, Double3 b, Double3 normal) =>
+            Double3.Dot(Double3.Cross(b - a, p - a), normal) >= 0.0;
 
-        static double FromEdge(Double3 p, Double3 a, Double3 b)
+        private static double FromEdge(Double3 p, Double3 a, Double3 b)
         {
             Double3 edge = b - a;
-            double squared = Double3.Dot(edge, edge), u = squared > 0.0 ? Math.Min(1.0, Math.Max(0.0, Double3.Dot(p - a, edge) / squared)) : 0.0;
+            double squared = Double3.Dot(edge, edge),
+                u = squared > 0.0 ? Math.Min(1.0, Math.Max(0.0, Double3.Dot(p - a, edge) / squared)) : 0.0;
             return (p - a - u * edge).Length;
         }
 
@@ -47,7 +51,7 @@ namespace SphFluid.Tests
             return Math.Abs(value) > 1e-14 * size ? Math.Sign(value) : ExactOrientation(a, b, c, d);
         }
 
-        static int ExactOrientation(Vector3 a, Vector3 b, Vector3 c, Vector3 d)
+        private static int ExactOrientation(Vector3 a, Vector3 b, Vector3 c, Vector3 d)
         {
             BigInteger ax = Difference(b.x, a.x), ay = Difference(b.y, a.y), az = Difference(b.z, a.z);
             BigInteger bx = Difference(c.x, a.x), by = Difference(c.y, a.y), bz = Difference(c.z, a.z);
@@ -55,10 +59,10 @@ namespace SphFluid.Tests
             return (ax * (by * cz - bz * cy) + ay * (bz * cx - bx * cz) + az * (bx * cy - by * cx)).Sign;
         }
 
-        static BigInteger Difference(float a, float b) => Whole(a) - Whole(b);
+        private static BigInteger Difference(float a, float b) => Whole(a) - Whole(b);
 
         // In units of the smallest float, 2^-149.
-        static BigInteger Whole(float value)
+        private static BigInteger Whole(float value)
         {
             int bits = BitConverter.SingleToInt32Bits(value), exponent = bits >> 23 & 255, mantissa = bits & 0x7fffff;
             BigInteger whole = exponent == 0 ? mantissa : new BigInteger(mantissa | 0x800000) << (exponent - 1);

@@ -31,10 +31,7 @@ namespace SphFluid.Tests
         public static T[] Read<T>(GraphicsBuffer buffer, int count) where T : struct
         {
             var data = new T[count];
-            if (count > 0)
-            {
-                buffer.GetData(data, 0, 0, count);
-            }
+            if (count > 0) buffer.GetData(data, 0, 0, count);
 
             return data;
         }

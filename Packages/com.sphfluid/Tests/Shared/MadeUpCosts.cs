@@ -5,7 +5,7 @@ namespace SphFluid.Tests
     /// <summary>Costs of steps that were never measured, in the place of this device's until it is disposed.</summary>
     internal sealed class MadeUpCosts : IDisposable
     {
-        readonly StepCostTable table = new StepCostTable();
+        private readonly StepCostTable table = new StepCostTable();
 
         public MadeUpCosts() => StepCosts.Use(table);
 
@@ -13,9 +13,11 @@ namespace SphFluid.Tests
         public int Count => table.Count;
 
         /// <summary>Sets what a step costs.</summary>
-        public MadeUpCosts Set(FluidMethodKind method, double milliseconds, long particles = 64, bool inPlay = true, bool hasBodies = false, double supportRatio = 2.25, string variant = "")
+        public MadeUpCosts Set(FluidMethodKind method, double milliseconds, long particles = 64, bool inPlay = true, bool hasBodies = false,
+            double supportRatio = 2.25, string variant = "")
         {
-            table.Record(StepCostKey.Create(method, supportRatio, hasBodies, variant), new StepCost { Particles = particles, Milliseconds = milliseconds, InPlay = inPlay });
+            table.Record(StepCostKey.Create(method, supportRatio, hasBodies, variant),
+                new StepCost { Particles = particles, Milliseconds = milliseconds, InPlay = inPlay });
             return this;
         }
 

@@ -10,7 +10,8 @@ namespace SphFluid.Tests
     internal static class ManualHeadings
     {
         /// <summary>The headings of a page, as links have them.</summary>
-        public static IEnumerable<string> Of(string page) => File.ReadAllText(Path.GetFullPath(page)).Split('\n').Where(l => l.StartsWith("#", StringComparison.Ordinal))
+        public static IEnumerable<string> Of(string page) =>
+            File.ReadAllText(Path.GetFullPath(page)).Split('\n').Where(l => l.StartsWith("#", StringComparison.Ordinal))
             .Select(l => Link(l.TrimStart('#').Trim()));
 
         /// <summary>A heading as a link has it.</summary>

@@ -5,7 +5,7 @@ using UnityEngine;
 namespace SphFluid.Tests
 {
     /// <summary>What must hold for every surface mesh.</summary>
-    static class MeshChecks
+    internal static class MeshChecks
     {
         /// <summary>
         /// Each side of a triangle belongs to exactly one other triangle, which runs along it in the other direction.
@@ -29,7 +29,9 @@ namespace SphFluid.Tests
                 Assert.AreEqual(1f, mesh.Normals[i].magnitude, 1e-4f, $"normal {i}");
             }
             for (int i = 0; i < mesh.Indices.Length; i += 3)
+            {
                 Assert.Greater(FaceNormal(mesh, i).magnitude, 0f, $"triangle {i / 3} has no area");
+            }
         }
 
         /// <summary>No two triangles with the same three corners.</summary>
@@ -50,7 +52,7 @@ namespace SphFluid.Tests
 
         // By its lower and its higher vertex: the triangles that run along the edge from the lower to the higher one,
         // and those that run back.
-        static Dictionary<(int low, int high), (int up, int down)> Edges(SurfaceMesh mesh)
+        private static Dictionary<(int low, int high), (int up, int down)> Edges(SurfaceMesh mesh)
         {
             var edges = new Dictionary<(int low, int high), (int up, int down)>();
             for (int i = 0; i < mesh.Indices.Length; i++)
@@ -67,13 +69,11 @@ namespace SphFluid.Tests
         public static List<(Vector3 a, Vector3 b)> BoundarySides(SurfaceMesh mesh)
         {
             var sides = new HashSet<(int from, int to)>();
-            for (int i = 0; i < mesh.Indices.Length; i++)
-                sides.Add((mesh.Indices[i], mesh.Indices[i % 3 == 2 ? i - 2 : i + 1]));
+            for (int i = 0; i < mesh.Indices.Length; i++) sides.Add((mesh.Indices[i], mesh.Indices[i % 3 == 2 ? i - 2 : i + 1]));
             var boundary = new List<(Vector3 a, Vector3 b)>();
             foreach ((int from, int to) in sides)
             {
-                if (!sides.Contains((to, from)))
-                    boundary.Add((mesh.Positions[from], mesh.Positions[to]));
+                if (!sides.Contains((to, from))) boundary.Add((mesh.Positions[from], mesh.Positions[to]));
             }
             return boundary;
         }
@@ -88,7 +88,9 @@ namespace SphFluid.Tests
             int[] twins = NearestVertices(expected, found, tolerance);
             var triangles = new HashSet<(int, int, int)>();
             for (int i = 0; i < found.Indices.Length; i += 3)
+            {
                 triangles.Add(LowestFirst(found.Indices[i], found.Indices[i + 1], found.Indices[i + 2]));
+            }
             for (int i = 0; i < expected.Indices.Length; i += 3)
             {
                 (int, int, int) twin = LowestFirst(twins[expected.Indices[i]], twins[expected.Indices[i + 1]],
@@ -99,11 +101,10 @@ namespace SphFluid.Tests
         }
 
         // Vertices of a mesh are farther apart than the tolerance, the edge of a cell of the hash.
-        static int[] NearestVertices(SurfaceMesh from, SurfaceMesh to, float tolerance)
+        private static int[] NearestVertices(SurfaceMesh from, SurfaceMesh to, float tolerance)
         {
             var cells = new Dictionary<Vector3Int, int>();
-            for (int i = 0; i < to.VertexCount; i++)
-                cells[Vector3Int.FloorToInt(to.Positions[i] / tolerance)] = i;
+            for (int i = 0; i < to.VertexCount; i++) cells[Vector3Int.FloorToInt(to.Positions[i] / tolerance)] = i;
             var nearest = new int[from.VertexCount];
             for (int i = 0; i < nearest.Length; i++)
             {
@@ -114,7 +115,9 @@ namespace SphFluid.Tests
                     var neighbour = centre + new Vector3Int(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
                     if (cells.TryGetValue(neighbour, out int other) &&
                         (to.Positions[other] - from.Positions[i]).magnitude <= tolerance)
+                    {
                         nearest[i] = other;
+                    }
                 }
                 Assert.GreaterOrEqual(nearest[i], 0,
                     $"no vertex at {from.Positions[i]:F9}; the nearest lies {Nearest(to, from.Positions[i])} m away");
@@ -122,18 +125,16 @@ namespace SphFluid.Tests
             return nearest;
         }
 
-        static float Nearest(SurfaceMesh mesh, Vector3 p)
+        private static float Nearest(SurfaceMesh mesh, Vector3 p)
         {
             float nearest = float.PositiveInfinity;
-            foreach (Vector3 q in mesh.Positions)
-                nearest = Mathf.Min(nearest, (q - p).magnitude);
+            foreach (Vector3 q in mesh.Positions) nearest = Mathf.Min(nearest, (q - p).magnitude);
             return nearest;
         }
 
-        static (int, int, int) LowestFirst(int a, int b, int c)
+        private static (int, int, int) LowestFirst(int a, int b, int c)
         {
-            if (a < b && a < c)
-                return (a, b, c);
+            if (a < b && a < c) return (a, b, c);
             return b < c ? (b, c, a) : (c, a, b);
         }
 

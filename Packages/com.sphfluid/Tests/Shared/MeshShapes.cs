@@ -11,10 +11,7 @@ namespace SphFluid.Tests
             var mesh = new ReferenceMesh { Closed = true };
             for (int axis = 0; axis < 3; axis++)
             {
-                for (int sign = -1; sign <= 1; sign += 2)
-                {
-                    AddFace(mesh, centre, half, axis, sign, n);
-                }
+                for (int sign = -1; sign <= 1; sign += 2) AddFace(mesh, centre, half, axis, sign, n);
             }
 
             return mesh;
@@ -26,7 +23,7 @@ namespace SphFluid.Tests
             return new ReferenceMesh { Triangles = new List<Double3[]> { new[] { a, b, c } } };
         }
 
-        static void AddFace(ReferenceMesh mesh, Double3 centre, Double3 half, int axis, int sign, int n)
+        private static void AddFace(ReferenceMesh mesh, Double3 centre, Double3 half, int axis, int sign, int n)
         {
             for (int u = 0; u < n; u++)
             {
@@ -43,7 +40,7 @@ namespace SphFluid.Tests
         }
 
         // u and v run along the two axes after the face's own, so that axis, u, v are right-handed.
-        static Double3 Point(Double3 centre, Double3 half, int axis, int sign, int u, int v, int n)
+        private static Double3 Point(Double3 centre, Double3 half, int axis, int sign, int u, int v, int n)
         {
             double s = 2.0 * u / n - 1.0;
             double t = 2.0 * v / n - 1.0;

@@ -14,7 +14,8 @@ namespace SphFluid.Tests
         /// <returns>What it printed.</returns>
         public static string Run(string program, params string[] words)
         {
-            var start = new ProcessStartInfo(program) { UseShellExecute = false, RedirectStandardOutput = true, RedirectStandardError = true };
+            var start =
+                new ProcessStartInfo(program) { UseShellExecute = false, RedirectStandardOutput = true, RedirectStandardError = true };
             foreach (string word in words) start.ArgumentList.Add(word);
             try
             {

@@ -5,14 +5,16 @@ using Object = UnityEngine.Object;
 
 namespace SphFluid.Tests
 {
-    /// <summary>Small simulations made from code, with 64 particles each unless another number is given; everything is destroyed afterwards.</summary>
+    /// <summary>
+    /// Small simulations made from code, with 64 particles each unless another number is given; everything is destroyed afterwards.
+    /// </summary>
     internal sealed class SimulationRig : IDisposable
     {
         public const int Layer = 28;
         public const float Spacing = 0.05f;
 
-        readonly List<Object> made = new List<Object>();
-        readonly float captureDelta = Time.captureDeltaTime;
+        private readonly List<Object> made = new List<Object>();
+        private readonly float captureDelta = Time.captureDeltaTime;
 
         public SimulationRig(float deltaTime = 0.01f)
         {

@@ -7,7 +7,7 @@ namespace SphFluid.Tests
     /// <summary>Shaders, fields and pictures for the tests of the drawings.</summary>
     internal static class SurfaceTestScene
     {
-        const string ShaderSetPath = "Packages/com.sphfluid/Runtime/Assets/DefaultFluidShaderSet.asset";
+        private const string ShaderSetPath = "Packages/com.sphfluid/Runtime/Assets/DefaultFluidShaderSet.asset";
 
         public static FluidShaderSet LoadShaders()
         {
@@ -23,8 +23,7 @@ namespace SphFluid.Tests
             {
                 for (int y = 0; y <= grid.Cells.y; y++)
                 {
-                    for (int x = 0; x <= grid.Cells.x; x++)
-                        values[grid.Index(x, y, z)] = density(grid.Position(x, y, z));
+                    for (int x = 0; x <= grid.Cells.x; x++) values[grid.Index(x, y, z)] = density(grid.Position(x, y, z));
                 }
             }
             var field = new SurfaceField(shaders, grid);

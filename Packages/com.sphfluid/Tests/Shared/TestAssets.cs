@@ -16,7 +16,8 @@ namespace SphFluid.Tests
         public static T Load<T>(string path) where T : Object
         {
             // By reflection: an assembly that test players have does not refer to UnityEditor.
-            MethodInfo load = Type.GetType("UnityEditor.AssetDatabase, UnityEditor")?.GetMethod("LoadAssetAtPath", new[] { typeof(string), typeof(Type) });
+            MethodInfo load = Type.GetType("UnityEditor.AssetDatabase, UnityEditor")
+                ?.GetMethod("LoadAssetAtPath", new[] { typeof(string), typeof(Type) });
             if (load == null) Assert.Ignore("Assets are found by path in the Editor only.");
             var asset = (T)load.Invoke(null, new object[] { path, typeof(T) });
             Assert.That(asset, Is.Not.Null, path);

@@ -21,7 +21,8 @@ namespace SphFluid.Tests
 
         /// <summary>Two triangles in the plane y = 0, one metre wide, facing up.</summary>
         public static TriangleMesh Sheet() => new TriangleMesh(
-            new[] { new Vector3(-0.5f, 0f, -0.5f), new Vector3(-0.5f, 0f, 0.5f), new Vector3(0.5f, 0f, 0.5f), new Vector3(0.5f, 0f, -0.5f) },
+            new[] { new Vector3(-0.5f, 0f, -0.5f), new Vector3(-0.5f, 0f, 0.5f), new Vector3(0.5f, 0f, 0.5f),
+                new Vector3(0.5f, 0f, -0.5f) },
             new[] { 0, 1, 2, 0, 2, 3 });
 
         /// <summary>Sphere round the origin.</summary>

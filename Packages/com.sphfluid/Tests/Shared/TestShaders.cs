@@ -6,7 +6,7 @@ namespace SphFluid.Tests
     /// <summary>The package's shaders.</summary>
     public static class TestShaders
     {
-        const string Package = "Packages/com.sphfluid/";
+        private const string Package = "Packages/com.sphfluid/";
 
         /// <summary>The package's own shader set.</summary>
         public static FluidShaderSet PackageSet => TestAssets.Load<FluidShaderSet>(Package + "Runtime/Assets/DefaultFluidShaderSet.asset");

@@ -7,19 +7,16 @@ namespace SphFluid.Tests
     /// <summary>Buffers and passes of the thesis method around given particles, to test one block at a time.</summary>
     internal sealed class ThesisRig : IDisposable
     {
-        readonly FluidShaderSet shaders;
-        readonly ThesisStepper stepper;
-        GraphicsBuffer triangles;
-        GraphicsBuffer colliders;
+        private readonly FluidShaderSet shaders;
+        private readonly ThesisStepper stepper;
+        private GraphicsBuffer triangles;
+        private GraphicsBuffer colliders;
 
         public ThesisRig(in FluidSolverSettings settings, FluidParticle[] particles)
         {
             shaders = TestShaders.CreateSet();
             stepper = new ThesisStepper(settings, shaders, particles.Length);
-            if (particles.Length > 0)
-            {
-                State.Published.Particles.SetData(particles);
-            }
+            if (particles.Length > 0) State.Published.Particles.SetData(particles);
         }
 
         public ThesisState State => stepper.State;
@@ -52,10 +49,7 @@ namespace SphFluid.Tests
         {
             var allTriangles = new List<CollisionTriangle>();
             var records = new List<CollisionCollider>();
-            foreach (ReferenceMesh mesh in meshes)
-            {
-                records.Add(Record(mesh, allTriangles));
-            }
+            foreach (ReferenceMesh mesh in meshes) records.Add(Record(mesh, allTriangles));
 
             triangles = GpuBuffers.Create("Triangles", allTriangles.Count, CollisionTriangle.Stride);
             colliders = GpuBuffers.Create("Colliders", records.Count, CollisionCollider.Stride);
@@ -72,7 +66,7 @@ namespace SphFluid.Tests
             UnityEngine.Object.DestroyImmediate(shaders);
         }
 
-        static CollisionCollider Record(ReferenceMesh mesh, List<CollisionTriangle> all)
+        private static CollisionCollider Record(ReferenceMesh mesh, List<CollisionTriangle> all)
         {
             Vector3 min = Vector3.positiveInfinity;
             Vector3 max = Vector3.negativeInfinity;
@@ -96,6 +90,6 @@ namespace SphFluid.Tests
             };
         }
 
-        static Vector3 ToFloat(Double3 v) => new Vector3((float)v.X, (float)v.Y, (float)v.Z);
+        private static Vector3 ToFloat(Double3 v) => new Vector3((float)v.X, (float)v.Y, (float)v.Z);
     }
 }

@@ -5,21 +5,20 @@ using UnityEngine;
 namespace SphFluid.Tests
 {
     /// <summary>A mesh of known shape in the buffers of a sparse surface.</summary>
-    sealed class UploadedSurface : IDisposable
+    internal sealed class UploadedSurface : IDisposable
     {
-        const float LargestShort = 32767f;
+        private const float LargestShort = 32767f;
 
-        readonly List<Vector3> positions = new List<Vector3>();
-        readonly List<Vector3> normals = new List<Vector3>();
-        readonly List<uint> indices = new List<uint>();
-        GraphicsBuffer vertexBuffer, indexBuffer, arguments;
+        private readonly List<Vector3> positions = new List<Vector3>();
+        private readonly List<Vector3> normals = new List<Vector3>();
+        private readonly List<uint> indices = new List<uint>();
+        private GraphicsBuffer vertexBuffer, indexBuffer, arguments;
 
         public SurfaceBuffers Buffers
         {
             get
             {
-                if (vertexBuffer == null)
-                    Upload();
+                if (vertexBuffer == null) Upload();
                 return new SurfaceBuffers(vertexBuffer, indexBuffer, arguments);
             }
         }
@@ -43,8 +42,7 @@ namespace SphFluid.Tests
         public UploadedSurface Quad(Vector3 centre, Vector3 u, Vector3 v, Vector3 normal)
         {
             uint first = (uint)positions.Count;
-            foreach (Vector3 corner in new[] { -u - v, u - v, u + v, -u + v })
-                Add(centre + corner, normal);
+            foreach (Vector3 corner in new[] { -u - v, u - v, u + v, -u + v }) Add(centre + corner, normal);
             indices.AddRange(new[] { first, first + 1, first + 2, first, first + 2, first + 3 });
             return this;
         }
@@ -81,17 +79,19 @@ namespace SphFluid.Tests
             GpuBuffers.Dispose(ref arguments);
         }
 
-        void Add(Vector3 position, Vector3 normal)
+        private void Add(Vector3 position, Vector3 normal)
         {
             positions.Add(position);
             normals.Add(normal.normalized);
         }
 
-        void Upload()
+        private void Upload()
         {
             var packed = new PackedSurfaceVertex[positions.Count];
             for (int i = 0; i < packed.Length; i++)
+            {
                 packed[i] = new PackedSurfaceVertex { Position = positions[i], PackedNormal = Octahedral(normals[i]) };
+            }
             vertexBuffer = GpuBuffers.Create("Vertices", packed.Length, PackedSurfaceVertex.Stride);
             indexBuffer = GpuBuffers.Create("Indices", indices.Count, sizeof(uint), GraphicsBuffer.Target.Index);
             arguments = GpuBuffers.CreateArguments("Arguments", 5);
@@ -100,14 +100,16 @@ namespace SphFluid.Tests
             arguments.SetData(new[] { (uint)indices.Count, 1u, 0u, 0u, 0u });
         }
 
-        static uint Octahedral(Vector3 n)
+        private static uint Octahedral(Vector3 n)
         {
             n /= Mathf.Abs(n.x) + Mathf.Abs(n.y) + Mathf.Abs(n.z);
             if (n.z < 0f)
+            {
                 n = new Vector3((1f - Mathf.Abs(n.y)) * (n.x >= 0f ? 1f : -1f), (1f - Mathf.Abs(n.x)) * (n.y >= 0f ? 1f : -1f), 0f);
+            }
             return Short(n.x) | Short(n.y) << 16;
         }
 
-        static uint Short(float value) => (ushort)(short)Mathf.RoundToInt(value * LargestShort);
+        private static uint Short(float value) => (ushort)(short)Mathf.RoundToInt(value * LargestShort);
     }
 }

@@ -11,24 +11,24 @@ using Object = UnityEngine.Object;
 namespace SphFluid.Validation
 {
     /// <summary>
-    /// Streams a sequence at 30 frames a second without drawing it, and jumps about in it. The liquid is a block whose particles swing each by its own, so that no frame is
-    /// like another. In play mode only.
+    /// Streams a sequence at 30 frames a second without drawing it, and jumps about in it. The liquid is a block whose particles swing each
+    /// by its own, so that no frame is like another. In play mode only.
     /// </summary>
-    sealed class PlaybackBench : IDisposable
+    internal sealed class PlaybackBench : IDisposable
     {
         public const int Frames = 100, Seeks = 25, UsualParticles = 65536;
 
         // Fewer frames than there are, so that the files are read all the time; four and more always fit.
-        const int HeldFrames = 12;
-        const double Rate = 30.0;
-        const float Spacing = 0.02f;
+        private const int HeldFrames = 12;
+        private const double Rate = 30.0;
+        private const float Spacing = 0.02f;
 
-        readonly string folder = Path.Combine(Path.GetTempPath(), Path.GetRandomFileName());
-        readonly FluidProfile profile;
-        readonly int side;
-        readonly int particles;
-        readonly float captureBefore = Time.captureDeltaTime;
-        GameObject holder;
+        private readonly string folder = Path.Combine(Path.GetTempPath(), Path.GetRandomFileName());
+        private readonly FluidProfile profile;
+        private readonly int side;
+        private readonly int particles;
+        private readonly float captureBefore = Time.captureDeltaTime;
+        private GameObject holder;
 
         public PlaybackBench(FluidShaderSet shaders, int particles)
         {
@@ -39,7 +39,7 @@ namespace SphFluid.Validation
             profile.MaxParticles = Math.Max(profile.MaxParticles, particles);
         }
 
-        Vector3 Domain => (side + 2) * Spacing * Vector3.one;
+        private Vector3 Domain => (side + 2) * Spacing * Vector3.one;
 
         /// <summary>Measures; adds a row for frames as they are, and one for particles between them.</summary>
         public IEnumerator Run(ResultTable<PlaybackRow> table, SessionProgress progress)
@@ -49,7 +49,11 @@ namespace SphFluid.Validation
             for (IEnumerator writing = Write(); writing.MoveNext();) yield return null;
             foreach (bool interpolates in new[] { false, true })
             {
-                var row = new PlaybackRow { Mode = interpolates ? "interpolated" : "frames", Particles = particles, Frames = Frames, Seeks = Seeks };
+                var row = new PlaybackRow
+                {
+                    Mode = interpolates ? "interpolated" : "frames", Particles = particles, Frames = Frames,
+                    Seeks = Seeks
+                };
                 row.FileBytes = Directory.GetFiles(folder).Sum(f => new FileInfo(f).Length);
                 yield return Play(row, interpolates);
                 table.Add(row);
@@ -64,7 +68,7 @@ namespace SphFluid.Validation
             if (Directory.Exists(folder)) Directory.Delete(folder, true);
         }
 
-        IEnumerator Write()
+        private IEnumerator Write()
         {
             var frame = new FluidParticle[particles];
             using (var writer = new FluidSequenceWriter(folder, Domain, Spacing, "bench"))
@@ -85,7 +89,7 @@ namespace SphFluid.Validation
             }
         }
 
-        IEnumerator Play(PlaybackRow row, bool interpolates)
+        private IEnumerator Play(PlaybackRow row, bool interpolates)
         {
             holder = new GameObject("Playback Bench");
             FluidSimulation simulation = holder.AddComponent<FluidSimulation>();
@@ -107,7 +111,7 @@ namespace SphFluid.Validation
         }
 
         // As many frames as the sequence has, each begun a thirtieth of a second after the one before, or when that is done.
-        static IEnumerator Stream(PlaybackRow row, PlaybackFrameMeter meter)
+        private static IEnumerator Stream(PlaybackRow row, PlaybackFrameMeter meter)
         {
             meter.Clear();
             var clock = Stopwatch.StartNew();
@@ -125,7 +129,7 @@ namespace SphFluid.Validation
             row.MainMost = meter.Milliseconds.Max();
         }
 
-        static IEnumerator Jump(PlaybackRow row, FluidPlayback playback, FluidSimulation simulation)
+        private static IEnumerator Jump(PlaybackRow row, FluidPlayback playback, FluidSimulation simulation)
         {
             var random = new System.Random(7);
             var times = new List<double>();
@@ -154,7 +158,7 @@ namespace SphFluid.Validation
             row.SeekMost = times.Max();
         }
 
-        static double Median(IEnumerable<double> values)
+        private static double Median(IEnumerable<double> values)
         {
             double[] sorted = values.OrderBy(v => v).ToArray();
             return sorted[sorted.Length / 2];

@@ -4,15 +4,18 @@ using UnityEngine;
 
 namespace SphFluid.Validation
 {
-    /// <summary>Takes what the playback and the simulation of an object take of each LateUpdate: begins before the one and ends when the other says that it is done.</summary>
+    /// <summary>
+    /// Takes what the playback and the simulation of an object take of each LateUpdate: begins before the one and ends when the other says
+    /// that it is done.
+    /// </summary>
     [AddComponentMenu("")]
     [DefaultExecutionOrder(39)]
-    sealed class PlaybackFrameMeter : MonoBehaviour
+    internal sealed class PlaybackFrameMeter : MonoBehaviour
     {
-        readonly Stopwatch clock = new Stopwatch();
-        FluidPlayback playback;
-        FluidSimulation simulation;
-        long steps;
+        private readonly Stopwatch clock = new Stopwatch();
+        private FluidPlayback playback;
+        private FluidSimulation simulation;
+        private long steps;
 
         /// <summary>Frames, whatever they showed.</summary>
         public int Frames { get; private set; }
@@ -30,16 +33,16 @@ namespace SphFluid.Validation
             Frames = Held = 0;
         }
 
-        void Start()
+        private void Start()
         {
             playback = GetComponent<FluidPlayback>();
             simulation = GetComponent<FluidSimulation>();
             simulation.Updated += _ => End();
         }
 
-        void LateUpdate() => clock.Restart();
+        private void LateUpdate() => clock.Restart();
 
-        void End()
+        private void End()
         {
             double took = clock.Elapsed.TotalMilliseconds;
             Frames++;

@@ -1,7 +1,7 @@
 namespace SphFluid.Validation
 {
     /// <summary>A line of playback.csv: a sequence that was streamed at a frame rate, and jumps in it.</summary>
-    sealed class PlaybackRow : MeasuredRow
+    internal sealed class PlaybackRow : MeasuredRow
     {
         /// <summary>The file.</summary>
         public static readonly TableFormat<PlaybackRow> Format = new TableFormat<PlaybackRow>("playback.csv")

@@ -4,12 +4,12 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>What is behind the water of the benchmark: a tiled floor below the liquid, as picture and as depth.</summary>
-    sealed class BenchBackdrop : IDisposable
+    internal sealed class BenchBackdrop : IDisposable
     {
-        const float Tile = 0.125f;
+        private const float Tile = 0.125f;
 
-        Texture2D depth;
-        RenderTexture colour;
+        private Texture2D depth;
+        private RenderTexture colour;
 
         /// <param name="view">World to camera.</param>
         /// <param name="projection">Its projection: perspective.</param>
@@ -26,7 +26,8 @@ namespace SphFluid.Validation
             var tiles = new Color[width * height];
             for (int i = 0; i < metres.Length; i++)
             {
-                var onPlane = new Vector3((2f * (i % width + 0.5f) / width - 1f) / projection.m00, (2f * (i / width + 0.5f) / height - 1f) / projection.m11, -1f);
+                var onPlane = new Vector3((2f * (i % width + 0.5f) / width - 1f) / projection.m00,
+                    (2f * (i / width + 0.5f) / height - 1f) / projection.m11, -1f);
                 Vector3 ray = toWorld.MultiplyVector(onPlane);
                 float away = ray.y < 0f ? Mathf.Min((floor - eye.y) / ray.y, far) : far;
                 Vector3 seen = eye + away * ray;
@@ -40,7 +41,11 @@ namespace SphFluid.Validation
             var picture = new Texture2D(width, height, TextureFormat.RGBA32, false);
             picture.SetPixels(tiles);
             picture.Apply();
-            colour = new RenderTexture(width, height, 0, RenderTextureFormat.DefaultHDR) { name = "Benchmark Backdrop", hideFlags = HideFlags.HideAndDontSave };
+            colour = new RenderTexture(width, height, 0, RenderTextureFormat.DefaultHDR)
+            {
+                name = "Benchmark Backdrop",
+                hideFlags = HideFlags.HideAndDontSave
+            };
             Graphics.Blit(picture, colour);
             UnityEngine.Object.DestroyImmediate(picture);
         }
@@ -58,8 +63,7 @@ namespace SphFluid.Validation
 
         public void Dispose()
         {
-            if (colour == null)
-                return;
+            if (colour == null) return;
             colour.Release();
             UnityEngine.Object.DestroyImmediate(colour);
             UnityEngine.Object.DestroyImmediate(depth);
@@ -67,7 +71,7 @@ namespace SphFluid.Validation
             depth = null;
         }
 
-        static float RawDepth(float metres, float near, float far)
+        private static float RawDepth(float metres, float near, float far)
         {
             Vector4 parameters = BufferParameters(near, far);
             return (1f / metres - parameters.w) / parameters.z;

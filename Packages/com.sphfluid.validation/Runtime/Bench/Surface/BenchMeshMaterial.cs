@@ -4,8 +4,10 @@ using UnityEngine;
 
 namespace SphFluid.Validation
 {
-    /// <summary>Draws a mesh that a compute shader left in buffers, lit per pixel as the thesis's surface is, so that only the surfaces differ.</summary>
-    sealed class BenchMeshMaterial : IDisposable
+    /// <summary>
+    /// Draws a mesh that a compute shader left in buffers, lit per pixel as the thesis's surface is, so that only the surfaces differ.
+    /// </summary>
+    internal sealed class BenchMeshMaterial : IDisposable
     {
         /// <summary>Pass that reads corners of triangles, see <see cref="DenseSurfaceEmitter"/>.</summary>
         public const int TriangleCornersPass = 0;
@@ -13,9 +15,9 @@ namespace SphFluid.Validation
         /// <summary>Pass that reads the sparse surface's packed vertices.</summary>
         public const int PackedVerticesPass = 1;
 
-        const string ShaderPath = "Packages/com.sphfluid.validation/Runtime/Bench/Surface/BenchSurface.shader";
+        private const string ShaderPath = "Packages/com.sphfluid.validation/Runtime/Bench/Surface/BenchSurface.shader";
 
-        readonly MeasuredSurface surface;
+        private readonly MeasuredSurface surface;
 
         /// <exception cref="FluidDeviceException">The shader is missing, or the device cannot run it.</exception>
         public BenchMeshMaterial(int pass)
@@ -23,7 +25,11 @@ namespace SphFluid.Validation
             Pass = pass;
             var shader = SessionAssets.Load<Shader>(ShaderPath);
             if (shader == null)
-                throw new FluidDeviceException($"The shader '{ShaderPath}' was not found: the table of surfaces is measured in the Editor and by the headless player only.");
+            {
+                throw new FluidDeviceException(
+                    $"The shader '{ShaderPath}' was not found: the table of surfaces is measured in the Editor and by the headless " +
+                    "player only.");
+            }
             surface = new MeasuredSurface(shader);
         }
 

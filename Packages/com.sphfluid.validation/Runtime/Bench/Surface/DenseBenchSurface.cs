@@ -5,21 +5,21 @@ using UnityEngine.Rendering;
 namespace SphFluid.Validation
 {
     /// <summary>
-    /// A dense surface without a geometry shader: the thesis's field over the whole grid, then one compute pass over all cubes that appends their
-    /// triangles to a buffer, whose counter is the first of the draw's arguments. Nothing is read back while it is measured.
+    /// A dense surface without a geometry shader: the thesis's field over the whole grid, then one compute pass over all cubes that appends
+    /// their triangles to a buffer, whose counter is the first of the draw's arguments. Nothing is read back while it is measured.
     /// </summary>
-    sealed class DenseBenchSurface : IBenchSurface
+    internal sealed class DenseBenchSurface : IBenchSurface
     {
         // Corners of triangles, instances, first corner, first instance.
-        static readonly uint[] EmptyArguments = { 0, 1, 0, 0 };
+        private static readonly uint[] EmptyArguments = { 0, 1, 0, 0 };
 
-        readonly int cells;
-        readonly SurfaceField field;
-        readonly DenseSurfaceEmitter emitter;
-        readonly BenchMeshMaterial material;
-        GraphicsBuffer arguments;
-        GraphicsBuffer vertices;
-        long corners;
+        private readonly int cells;
+        private readonly SurfaceField field;
+        private readonly DenseSurfaceEmitter emitter;
+        private readonly BenchMeshMaterial material;
+        private GraphicsBuffer arguments;
+        private GraphicsBuffer vertices;
+        private long corners;
 
         public DenseBenchSurface(FluidShaderSet shaders, int cells)
         {
@@ -32,7 +32,8 @@ namespace SphFluid.Validation
             vertices = GpuBuffers.Create("SurfaceVertices", 0, DenseSurfaceEmitter.CornerStride);
         }
 
-        public BenchSurfaceFacts Facts => BenchSurfaceFacts.Dense(cells, field.GpuBytes + emitter.GpuBytes + GpuBuffers.Size(arguments, vertices), corners);
+        public BenchSurfaceFacts Facts =>
+            BenchSurfaceFacts.Dense(cells, field.GpuBytes + emitter.GpuBytes + GpuBuffers.Size(arguments, vertices), corners);
 
         public bool HasCapacity { get; private set; }
 
@@ -61,7 +62,8 @@ namespace SphFluid.Validation
             RecordMesh(cmd, vertices.count);
             drawing.BeginSurface(cmd);
             MaterialPropertyBlock properties = material.Properties(field.Grid, vertices);
-            cmd.DrawProceduralIndirect(Matrix4x4.identity, material.Material, material.Pass, MeshTopology.Triangles, arguments, 0, properties);
+            cmd.DrawProceduralIndirect(Matrix4x4.identity, material.Material, material.Pass, MeshTopology.Triangles, arguments, 0,
+                properties);
             drawing.EndSurface(cmd);
         }
 
@@ -74,7 +76,7 @@ namespace SphFluid.Validation
             GpuBuffers.Dispose(ref vertices);
         }
 
-        void RecordMesh(CommandBuffer cmd, int capacity)
+        private void RecordMesh(CommandBuffer cmd, int capacity)
         {
             cmd.SetBufferData(arguments, EmptyArguments);
             emitter.Record(cmd, field, BenchDrawing.IsoValue, arguments, vertices, capacity);

@@ -4,10 +4,10 @@ using UnityEngine.Rendering;
 namespace SphFluid.Validation
 {
     /// <summary>The thesis's surface: density factors over the whole grid, marching cubes in the geometry shader.</summary>
-    sealed class GeometryBenchSurface : IBenchSurface
+    internal sealed class GeometryBenchSurface : IBenchSurface
     {
-        readonly SurfaceField field;
-        readonly MeasuredGeometrySurface surface;
+        private readonly SurfaceField field;
+        private readonly MeasuredGeometrySurface surface;
 
         public GeometryBenchSurface(FluidShaderSet shaders, int cells)
         {

@@ -4,7 +4,7 @@ using UnityEngine.Rendering;
 namespace SphFluid.Validation
 {
     /// <summary>A surface that is measured: field, mesh and drawing.</summary>
-    interface IBenchSurface : IDisposable
+    internal interface IBenchSurface : IDisposable
     {
         /// <summary>What its last frame made.</summary>
         BenchSurfaceFacts Facts { get; }

@@ -4,13 +4,15 @@ using UnityEngine.Rendering;
 
 namespace SphFluid.Validation
 {
-    /// <summary>The sparse surface, drawn indirectly from its buffers: field and marching cubes only in blocks that hold the surface.</summary>
-    sealed class SparseBenchSurface : IBenchSurface
+    /// <summary>
+    /// The sparse surface, drawn indirectly from its buffers: field and marching cubes only in blocks that hold the surface.
+    /// </summary>
+    internal sealed class SparseBenchSurface : IBenchSurface
     {
-        readonly SparseSurface surface;
-        readonly BenchMeshMaterial material;
-        readonly SurfaceGrid grid;
-        readonly SurfaceFieldSettings field;
+        private readonly SparseSurface surface;
+        private readonly BenchMeshMaterial material;
+        private readonly SurfaceGrid grid;
+        private readonly SurfaceFieldSettings field;
 
         public SparseBenchSurface(FluidShaderSet shaders, in BenchConfig config, in FluidSolverSettings settings)
         {
@@ -41,7 +43,8 @@ namespace SphFluid.Validation
             surface.Record(cmd, solver, field, grid, SurfaceWalls.Closed);
             drawing.BeginSurface(cmd);
             MaterialPropertyBlock properties = material.Properties(grid, surface.Vertices);
-            cmd.DrawProceduralIndirect(surface.Indices, Matrix4x4.identity, material.Material, material.Pass, MeshTopology.Triangles, surface.DrawArguments, 0, properties);
+            cmd.DrawProceduralIndirect(surface.Indices, Matrix4x4.identity, material.Material, material.Pass, MeshTopology.Triangles,
+                surface.DrawArguments, 0, properties);
             drawing.EndSurface(cmd);
         }
 

@@ -5,14 +5,14 @@ using UnityEngine.Rendering;
 namespace SphFluid.Validation
 {
     /// <summary>The sparse surface as clear water before a floor: thickness, refraction, and spray where the look has it.</summary>
-    sealed class WaterBenchSurface : IBenchSurface
+    internal sealed class WaterBenchSurface : IBenchSurface
     {
-        readonly SparseSurface surface;
-        readonly MeasuredWater water;
-        readonly SurfaceGrid grid;
-        readonly SurfaceFieldSettings field;
-        readonly FluidWaterLook look;
-        readonly float spacing;
+        private readonly SparseSurface surface;
+        private readonly MeasuredWater water;
+        private readonly SurfaceGrid grid;
+        private readonly SurfaceFieldSettings field;
+        private readonly FluidWaterLook look;
+        private readonly float spacing;
 
         public WaterBenchSurface(FluidShaderSet shaders, in BenchConfig config, in FluidSolverSettings settings)
         {
@@ -39,13 +39,11 @@ namespace SphFluid.Validation
             surface.Record(cmd, solver, field, grid, SurfaceWalls.Closed);
             water.Prepare(surface, grid, spacing, look, backdrop.Colour, backdrop.Depth);
             drawing.RecordThickness(cmd, water);
-            if (look.Spray > 0)
-                drawing.RecordSprayBehind(cmd, water);
+            if (look.Spray > 0) drawing.RecordSprayBehind(cmd, water);
             drawing.BeginSurface(cmd);
             water.RecordWater(cmd);
             drawing.EndSurface(cmd);
-            if (look.Spray > 0)
-                drawing.RecordSpray(cmd, water);
+            if (look.Spray > 0) drawing.RecordSpray(cmd, water);
         }
 
         public void Dispose()

@@ -6,12 +6,12 @@ using UnityEngine.Rendering;
 namespace SphFluid.Validation
 {
     /// <summary>The sparse surface, and as many particles of whitewater as the liquid has: moved on, listed anew and drawn.</summary>
-    sealed class WhitewaterBenchSurface : IBenchSurface
+    internal sealed class WhitewaterBenchSurface : IBenchSurface
     {
-        static readonly ProfilerMarker Marker = ComputeKernel.CreateMarker(FrameBlocks.DrawWhitewater);
+        private static readonly ProfilerMarker Marker = ComputeKernel.CreateMarker(FrameBlocks.DrawWhitewater);
 
-        readonly SparseBenchSurface surface;
-        readonly MeasuredWhitewater whitewater;
+        private readonly SparseBenchSurface surface;
+        private readonly MeasuredWhitewater whitewater;
 
         public WhitewaterBenchSurface(FluidShaderSet shaders, in BenchConfig config, FluidSolver solver)
         {

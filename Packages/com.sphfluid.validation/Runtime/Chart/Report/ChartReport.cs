@@ -6,18 +6,18 @@ using System.Text;
 namespace SphFluid.Validation
 {
     /// <summary>
-    /// The chart as one HTML file that needs no other: panels whose points say what they are, the cases' curves, sentences and tables. Models'
-    /// curves and marks that are added to its panels before it is written are drawn with them.
+    /// The chart as one HTML file that needs no other: panels whose points say what they are, the cases' curves, sentences and tables.
+    /// Models' curves and marks that are added to its panels before it is written are drawn with them.
     /// </summary>
-    sealed class ChartReport
+    internal sealed class ChartReport
     {
         /// <summary>Name of the file.</summary>
         public const string FileName = "report.html";
 
-        const string FirstLine = "<!DOCTYPE html><!-- SPH Fluid, accuracy chart -->";
+        private const string FirstLine = "<!DOCTYPE html><!-- SPH Fluid, accuracy chart -->";
 
-        readonly string device, command;
-        readonly IReadOnlyList<ChartRow> rows;
+        private readonly string device, command;
+        private readonly IReadOnlyList<ChartRow> rows;
 
         /// <param name="cases">The cases in the order of the page.</param>
         /// <param name="rows">The table: for device, dates and the number of runs.</param>
@@ -44,7 +44,10 @@ namespace SphFluid.Validation
         {
             ReportPage page = ReportPage.Load();
             if (page == null)
-                return $"No {FileName}: its page is an asset of com.sphfluid.validation that only the Editor can read. Draw the chart there: accuracy.csv holds all that it needs.";
+            {
+                return $"No {FileName}: its page is an asset of com.sphfluid.validation that only the Editor can read. Draw the chart " +
+                    "there: accuracy.csv holds all that it needs.";
+            }
             CsvText.WriteWhole(Path.Combine(folder, FileName), new[] { Html(page) });
             return null;
         }
@@ -62,13 +65,13 @@ namespace SphFluid.Validation
             ["data"] = ReportJson.Of(Cases),
         });
 
-        string EqualTime()
+        private string EqualTime()
         {
             HtmlTable table = ReportTables.AtEqualTime(Cases);
             return table.IsEmpty ? "<p>One method was measured, or none at times that another has.</p>" : table.ToString();
         }
 
-        string Facts()
+        private string Facts()
         {
             string first = rows.Min(r => r.Date), last = rows.Max(r => r.Date);
             int runs = rows.Select(r => r.Key).Distinct().Count(), failed = rows.Where(r => r.Failed).Select(r => r.Key).Distinct().Count();
@@ -76,26 +79,27 @@ namespace SphFluid.Validation
             {
                 ("Device", device),
                 ("Measured", first == last ? first : $"{first} to {last}"),
-                ("Runs", failed == 0 ? ReportWords.Digits(runs) : $"{ReportWords.Digits(runs)}, of which {ReportWords.Digits(failed)} failed"),
+                ("Runs", failed == 0 ? ReportWords.Digits(runs)
+                    : $"{ReportWords.Digits(runs)}, of which {ReportWords.Digits(failed)} failed"),
                 ("Command", command),
             };
             return string.Concat(facts.Select(f => $"<div><dt>{f.Name}</dt><dd>{ReportWords.Html(f.Value)}</dd></div>"));
         }
 
-        string Section(ReportCase reported, int index)
+        private string Section(ReportCase reported, int index)
         {
             var html = new StringBuilder();
-            html.Append($"<section class=\"case\" id=\"{Anchor(reported)}\" data-case=\"{index}\">\n<h2>{ReportWords.Html(reported.Case.Title)}</h2>\n<ul class=\"summary\">\n");
-            foreach (string sentence in ReportSummary.Of(reported))
-                html.Append($"<li>{ReportWords.Html(sentence)}</li>\n");
+            html.Append(
+                $"<section class=\"case\" id=\"{Anchor(reported)}\" " +
+                $"data-case=\"{index}\">\n<h2>{ReportWords.Html(reported.Case.Title)}</h2>\n<ul class=\"summary\">\n");
+            foreach (string sentence in ReportSummary.Of(reported)) html.Append($"<li>{ReportWords.Html(sentence)}</li>\n");
             html.Append("</ul>\n<div class=\"figures\"></div>\n");
-            if (reported.Case.Caution.Length > 0)
-                html.Append($"<p class=\"caution\">{ReportWords.Html(reported.Case.Caution)}</p>\n");
+            if (reported.Case.Caution.Length > 0) html.Append($"<p class=\"caution\">{ReportWords.Html(reported.Case.Caution)}</p>\n");
             html.Append($"<details>\n<summary>All points as a table</summary>\n{ReportTables.Points(reported)}\n</details>\n");
             html.Append($"<p class=\"source\">Reference: {ReportWords.Html(reported.Case.Source)}</p>\n</section>\n");
             return html.ToString();
         }
 
-        static string Anchor(ReportCase reported) => "case-" + reported.Case.Name;
+        private static string Anchor(ReportCase reported) => "case-" + reported.Case.Name;
     }
 }

@@ -4,9 +4,9 @@ using System.Linq;
 namespace SphFluid.Validation
 {
     /// <summary>What the report has of a case.</summary>
-    sealed class ReportCase
+    internal sealed class ReportCase
     {
-        readonly IReadOnlyList<ChartPoint> comparable;
+        private readonly IReadOnlyList<ChartPoint> comparable;
 
         /// <param name="group">Its panels, the main error's first.</param>
         /// <param name="comparisons">Methods against each other at equal time, by the main error.</param>
@@ -37,7 +37,9 @@ namespace SphFluid.Validation
         /// <summary>The methods that have points, the best last.</summary>
         public IEnumerable<CaseMethod> Methods => CaseMethod.All.Where(m => Main.Points.Any(p => p.Method == m.Name));
 
-        /// <summary>Points of a method whose every run has an error and a time, without those that are good by chance: see <see cref="EqualCost"/>.</summary>
+        /// <summary>
+        /// Points of a method whose every run has an error and a time, without those that are good by chance: see <see cref="EqualCost"/>.
+        /// </summary>
         public IEnumerable<ChartPoint> Comparable(CaseMethod method) => comparable.Where(p => p.Method == method.Name);
     }
 }

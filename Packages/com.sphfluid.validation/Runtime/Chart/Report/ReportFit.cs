@@ -3,7 +3,7 @@ using System.Collections.Generic;
 namespace SphFluid.Validation
 {
     /// <summary>A curve in a panel of the report: what a model makes of a method's points.</summary>
-    sealed class ReportFit
+    internal sealed class ReportFit
     {
         /// <param name="method">Name of the method.</param>
         /// <param name="title">What the curve is, for tooltips.</param>

@@ -5,10 +5,10 @@ using System.Linq;
 namespace SphFluid.Validation
 {
     /// <summary>
-    /// The report's data for its script: methods, factors, and for each case its panels (points, and where there are some curves of models and
-    /// marks) and curves.
+    /// The report's data for its script: methods, factors, and for each case its panels (points, and where there are some curves of models
+    /// and marks) and curves.
     /// </summary>
-    static class ReportJson
+    internal static class ReportJson
     {
         /// <summary>All of it. The text may stand between script tags: it has no character that HTML knows.</summary>
         public static string Of(IReadOnlyList<ReportCase> cases)
@@ -21,13 +21,13 @@ namespace SphFluid.Validation
             return data.ToString().Replace("<", "\\u003c").Replace(">", "\\u003e").Replace("&", "\\u0026");
         }
 
-        static JsonObject Case(ReportCase reported) => new JsonObject()
+        private static JsonObject Case(ReportCase reported) => new JsonObject()
             .Add("name", reported.Case.Name)
             .Add("title", reported.Case.Title)
             .Add("panels", reported.Panels.Select(Panel))
             .Add("curves", Curves(reported));
 
-        static JsonObject Panel(ReportPanel reported) => new JsonObject()
+        private static JsonObject Panel(ReportPanel reported) => new JsonObject()
             .Add("error", reported.Panel.ErrorName)
             .Add("isFraction", reported.Panel.IsFraction ? 1 : 0)
             .Add("floor", reported.Panel.Case.Floor)
@@ -35,7 +35,7 @@ namespace SphFluid.Validation
             .Add("fits", reported.Fits.Select(Fit))
             .Add("marks", reported.Marks.Select(Mark));
 
-        static JsonObject Point(ReportPanel reported, ChartPoint point) => new JsonObject()
+        private static JsonObject Point(ReportPanel reported, ChartPoint point) => new JsonObject()
             .Add("method", IndexOf(point.Method))
             .Add("factor", reported.Panel.FactorOf(point).ToString())
             .Add("dx", Rounded(point.Spacing))
@@ -50,15 +50,16 @@ namespace SphFluid.Validation
             .Add("cost", Bar(point.Cost))
             .Add("err", Bar(point.Error));
 
-        static JsonObject Fit(ReportFit fit) => new JsonObject()
+        private static JsonObject Fit(ReportFit fit) => new JsonObject()
             .Add("method", IndexOf(fit.Method))
             .Add("title", fit.Title)
             .Add("cost", fit.Points.Select(p => Rounded(p.Cost)))
             .Add("err", fit.Points.Select(p => Rounded(p.Error)));
 
-        static JsonObject Mark(ReportMark mark) => new JsonObject().Add("title", mark.Title).Add("cost", Bar(mark.Cost)).Add("err", Bar(mark.Error));
+        private static JsonObject Mark(ReportMark mark) =>
+            new JsonObject().Add("title", mark.Title).Add("cost", Bar(mark.Cost)).Add("err", Bar(mark.Error));
 
-        static JsonObject Curves(ReportCase reported) => new JsonObject()
+        private static JsonObject Curves(ReportCase reported) => new JsonObject()
             .Add("x", reported.Case.AxisTitles.X)
             .Add("y", reported.Case.AxisTitles.Y)
             .Add("references", reported.Curves.References.Select(Curve))
@@ -67,19 +68,19 @@ namespace SphFluid.Validation
                 .Add("constants", r.Constants)
                 .Add("curves", r.Curves.Select(Curve))));
 
-        static JsonObject Curve(CaseSeries curve) => new JsonObject()
+        private static JsonObject Curve(CaseSeries curve) => new JsonObject()
             .Add("name", curve.Name)
             .Add("x", curve.X.Select(Rounded))
             .Add("y", curve.Y.Select(Rounded));
 
         // Median, least and greatest; empty where there is nothing.
-        static IEnumerable<double> Bar(SampleStatistics? bar) =>
+        private static IEnumerable<double> Bar(SampleStatistics? bar) =>
             bar.HasValue ? new[] { bar.Value.Median, bar.Value.Minimum, bar.Value.Maximum }.Select(Rounded) : Enumerable.Empty<double>();
 
-        static int IndexOf(string method) => CaseMethod.All.Select(m => m.Name).ToList().IndexOf(method);
+        private static int IndexOf(string method) => CaseMethod.All.Select(m => m.Name).ToList().IndexOf(method);
 
         // Five digits: more than a screen shows.
-        static double Rounded(double value) => double.IsNaN(value) || double.IsInfinity(value)
+        private static double Rounded(double value) => double.IsNaN(value) || double.IsInfinity(value)
             ? double.NaN
             : double.Parse(value.ToString("G5", CultureInfo.InvariantCulture), CultureInfo.InvariantCulture);
     }

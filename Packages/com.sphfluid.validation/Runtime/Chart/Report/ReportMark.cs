@@ -1,7 +1,7 @@
 namespace SphFluid.Validation
 {
     /// <summary>A place in a panel of the report that is no measured point: an answer, for instance, with its intervals.</summary>
-    sealed class ReportMark
+    internal sealed class ReportMark
     {
         /// <param name="title">What it is.</param>
         /// <param name="cost">GPU ms per simulated second: the value, the least and the greatest.</param>

@@ -6,15 +6,15 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>The report's page: its parts are text assets of this package beside this file, in the folder Page.</summary>
-    sealed class ReportPage
+    internal sealed class ReportPage
     {
-        const string Folder = "Packages/com.sphfluid.validation/Runtime/Chart/Report/Page/";
+        private const string Folder = "Packages/com.sphfluid.validation/Runtime/Chart/Report/Page/";
 
-        static readonly string[] scripts = { "numbers", "elements", "panel", "curves", "page" };
+        private static readonly string[] scripts = { "numbers", "elements", "panel", "curves", "page" };
 
-        readonly string page, style, script;
+        private readonly string page, style, script;
 
-        ReportPage(string page, string style, string script)
+        private ReportPage(string page, string style, string script)
         {
             this.page = page;
             this.style = style;
@@ -26,7 +26,8 @@ namespace SphFluid.Validation
         {
             string page = Text("report.html"), style = Text("report.css.txt");
             string[] parts = scripts.Select(s => Text(s + ".js.txt")).ToArray();
-            return page == null || style == null || parts.Any(p => p == null) ? null : new ReportPage(page, style, string.Join("\n", parts));
+            return page == null || style == null || parts.Any(p => p == null) ? null
+                : new ReportPage(page, style, string.Join("\n", parts));
         }
 
         /// <summary>The page's text with its places filled in.</summary>
@@ -44,16 +45,17 @@ namespace SphFluid.Validation
             {
                 string name = pieces[i];
                 if (!all.TryGetValue(name, out pieces[i]))
+                {
                     throw new ArgumentException($"report.html has a place for '{name}', which nothing fills.", nameof(parts));
+                }
                 left.Remove(name);
             }
-            if (left.Count > 0)
-                throw new ArgumentException($"report.html has no place for '{left.First()}'.", nameof(parts));
+            if (left.Count > 0) throw new ArgumentException($"report.html has no place for '{left.First()}'.", nameof(parts));
             return string.Concat(pieces);
         }
 
         // Unity gives a text as it is, whatever its line endings are.
-        static string Text(string file)
+        private static string Text(string file)
         {
             TextAsset asset = SessionAssets.Load<TextAsset>(Folder + file);
             return asset == null ? null : asset.text.Replace("\r\n", "\n");

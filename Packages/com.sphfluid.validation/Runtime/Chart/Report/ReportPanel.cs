@@ -4,9 +4,9 @@ using System.Linq;
 namespace SphFluid.Validation
 {
     /// <summary>A panel of the report: the measured points of one error, and what else is drawn beside them.</summary>
-    sealed class ReportPanel
+    internal sealed class ReportPanel
     {
-        readonly HashSet<string> front;
+        private readonly HashSet<string> front;
 
         /// <param name="panel">The points.</param>
         public ReportPanel(ChartPanel panel)

@@ -5,7 +5,7 @@ using System.Net;
 namespace SphFluid.Validation
 {
     /// <summary>Numbers and texts as the report writes them.</summary>
-    static class ReportWords
+    internal static class ReportWords
     {
         /// <summary>Frames of a second of a game.</summary>
         public const double FramesPerSecond = 60.0;
@@ -25,13 +25,12 @@ namespace SphFluid.Validation
         /// <summary>Two digits, all before the point, and thousands divided: 0.0123 is 0.012, 12345 is 12,345.</summary>
         public static string Digits(double value)
         {
-            if (double.IsNaN(value) || double.IsInfinity(value))
-                return "–";
+            if (double.IsNaN(value) || double.IsInfinity(value)) return "–";
             double size = Math.Abs(value);
-            if (size >= 9.95)
-                return Math.Round(value).ToString("#,0", CultureInfo.InvariantCulture);
+            if (size >= 9.95) return Math.Round(value).ToString("#,0", CultureInfo.InvariantCulture);
             string text = value.ToString("G2", CultureInfo.InvariantCulture);
-            return text.Contains("E") ? double.Parse(text, CultureInfo.InvariantCulture).ToString("0.############", CultureInfo.InvariantCulture) : text;
+            return text.Contains("E") ? double.Parse(text, CultureInfo.InvariantCulture)
+                .ToString("0.############", CultureInfo.InvariantCulture) : text;
         }
 
         /// <summary>A constant with three digits.</summary>

@@ -20,7 +20,8 @@ namespace SphFluid.Tests
         [Test]
         public void ReadsTheFlagsBehindTheSeparator()
         {
-            BenchArguments arguments = Parse("player", "--out", "elsewhere", "--", "--table=all", "--particles", "1000, 2000", "--grids", "64", "--repeat", "9",
+            BenchArguments arguments =
+                Parse("player", "--out", "elsewhere", "--", "--table=all", "--particles", "1000, 2000", "--grids", "64", "--repeat", "9",
                 "--out", "there", "--sweep");
 
             Assert.That(arguments.Table, Is.EqualTo("all"));
@@ -67,10 +68,12 @@ namespace SphFluid.Tests
         [Test]
         public void AsksForAMissingValue()
         {
-            Assert.That(() => Parse("player", "--", "--out"), Throws.TypeOf<CommandLineException>().With.Message.Contains("--out needs a value"));
-            Assert.That(() => Parse("player", "--", "--sweep=1"), Throws.TypeOf<CommandLineException>().With.Message.Contains("takes no value"));
+            Assert.That(() => Parse("player", "--", "--out"),
+                Throws.TypeOf<CommandLineException>().With.Message.Contains("--out needs a value"));
+            Assert.That(() => Parse("player", "--", "--sweep=1"),
+                Throws.TypeOf<CommandLineException>().With.Message.Contains("takes no value"));
         }
 
-        static BenchArguments Parse(params string[] words) => BenchArguments.Parse(words);
+        private static BenchArguments Parse(params string[] words) => BenchArguments.Parse(words);
     }
 }

@@ -6,10 +6,10 @@ using SphFluid.Validation;
 namespace SphFluid.Tests
 {
     /// <summary>A table of the benchmark with made-up rows, read as its file has them.</summary>
-    sealed class BenchColumns
+    internal sealed class BenchColumns
     {
-        readonly List<BenchRow> rows = new List<BenchRow>();
-        readonly string device, date;
+        private readonly List<BenchRow> rows = new List<BenchRow>();
+        private readonly string device, date;
 
         public BenchColumns(BenchLayout layout, string device, string date)
         {

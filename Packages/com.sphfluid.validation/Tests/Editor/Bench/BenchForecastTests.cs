@@ -5,10 +5,10 @@ namespace SphFluid.Tests
 {
     public sealed class BenchForecastTests
     {
-        const int Particles = 4096, Samples = 5;
+        private const int Particles = 4096, Samples = 5;
 
         // A step of the calibration's 4,096 particles takes 10 ms, a sample 0.2 s at least.
-        static BenchForecast Create() => new BenchForecast(0.01, 0.2, Samples);
+        private static BenchForecast Create() => new BenchForecast(0.01, 0.2, Samples);
 
         [Test]
         public void ARowIsItsSamplesAndOneToWarmUp()
@@ -47,13 +47,11 @@ namespace SphFluid.Tests
             forecast.AddRow(measured, Particles);
             forecast.AddRow(other, Particles);
             double before = forecast.Left.TotalSeconds;
-            for (int i = 0; i < 1 + Samples; i++)
-                forecast.TakeSample(measured, Particles, 4.1);
+            for (int i = 0; i < 1 + Samples; i++) forecast.TakeSample(measured, Particles, 4.1);
 
             // The other row was expected to take half; its like took ten times what was expected.
             Assert.That(forecast.Left.TotalSeconds / (0.5 * before), Is.InRange(5.0, 10.0));
-            for (int i = 0; i < 1 + Samples; i++)
-                forecast.TakeSample(other, Particles, 1.0);
+            for (int i = 0; i < 1 + Samples; i++) forecast.TakeSample(other, Particles, 1.0);
             Assert.That(forecast.Left.TotalSeconds, Is.Zero);
         }
 

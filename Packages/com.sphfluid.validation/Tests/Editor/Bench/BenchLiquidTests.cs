@@ -23,14 +23,16 @@ namespace SphFluid.Tests
             Assert.That(height, Is.LessThan(BenchLiquid.Edge));
             Assert.That(block.Select(p => p.Position).Distinct().Count(), Is.EqualTo(count));
             float half = 0.5f * BenchLiquid.Edge - 0.49f * spacing;
-            Assert.That(block.All(p => Mathf.Abs(p.Position.x) <= half && Mathf.Abs(p.Position.y) <= half && Mathf.Abs(p.Position.z) <= half), Is.True);
+            Assert.That(block.All(p => Mathf.Abs(p.Position.x) <= half && Mathf.Abs(p.Position.y) <= half &&
+                Mathf.Abs(p.Position.z) <= half), Is.True);
             Assert.That(block.Max(p => p.Position.y), Is.EqualTo(height - 0.5f * BenchLiquid.Edge - 0.5f * spacing).Within(1e-4f));
         }
 
         [Test]
         public void SweepDoublesFromFourThousandToAMillion()
         {
-            Assert.That(BenchSession.SweepParticles(), Is.EqualTo(new[] { 4096, 8192, 16384, 32768, 65536, 131072, 262144, 524288, 1048576 }));
+            Assert.That(BenchSession.SweepParticles(),
+                Is.EqualTo(new[] { 4096, 8192, 16384, 32768, 65536, 131072, 262144, 524288, 1048576 }));
         }
 
         [Test]
@@ -52,7 +54,8 @@ namespace SphFluid.Tests
             }
         }
 
-        // 300 particles are padded to a block of 1,024 pairs: 10 sorts. 3,000 to 4 blocks: 2 levels of transpose, sort, transpose, sort more.
+        // 300 particles are padded to a block of 1,024 pairs: 10 sorts. 3,000 to 4 blocks: 2 levels of transpose, sort, transpose, sort
+        // more.
         [TestCase(300, 10 + 8)]
         [TestCase(3000, 10 + 8 + 8)]
         public void DispatchesOfAStepAreCounted(int count, int expected)
@@ -76,15 +79,14 @@ namespace SphFluid.Tests
                 GpuTest.Run(cmd => liquid.Solver.RecordNeighbourSetup(cmd));
                 GpuTest.Run(cmd => drawing.RecordParticles(cmd, liquid.Solver));
                 Assert.That(BenchPicture.Covered(drawing.Target), Is.InRange(0.05, 0.5));
-                if (MeasuredGeometrySurface.MissingSupport() != null)
-                    return;
+                if (MeasuredGeometrySurface.MissingSupport() != null) return;
                 using (var surface = new GeometryBenchSurface(shaders, 16))
                     GpuTest.Run(cmd => surface.Record(cmd, liquid.Solver, drawing));
                 Assert.That(BenchPicture.Covered(drawing.Target), Is.InRange(0.05, 0.5));
             }
         }
 
-        static bool Settle(BenchLiquid liquid)
+        private static bool Settle(BenchLiquid liquid)
         {
             using (var cmd = new CommandBuffer())
             {
@@ -94,7 +96,7 @@ namespace SphFluid.Tests
             }
         }
 
-        static FluidParticle[] StepAndRead(BenchLiquid liquid, int steps)
+        private static FluidParticle[] StepAndRead(BenchLiquid liquid, int steps)
         {
             GpuTest.Run(cmd => liquid.Solver.RecordSteps(cmd, steps));
             return GpuTest.Read<FluidParticle>(liquid.Solver.Particles, liquid.Solver.ParticleCount).OrderBy(p => p.Id).ToArray();

@@ -4,7 +4,7 @@ using UnityEngine;
 namespace SphFluid.Tests
 {
     /// <summary>What the benchmark drew.</summary>
-    static class BenchPicture
+    internal static class BenchPicture
     {
         public static Color[] Pixels(RenderTexture target)
         {

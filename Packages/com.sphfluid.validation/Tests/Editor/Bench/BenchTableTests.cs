@@ -43,10 +43,12 @@ namespace SphFluid.Tests
             string[] lines = table.Lines().ToArray();
 
             Assert.That(lines, Has.Length.EqualTo(2), "rows without samples are left out");
-            Assert.That(lines[0], Is.EqualTo("table,device,config,method,surface,particles,grid,spacing,support,neighbours_mean,dispatches," +
+            Assert.That(lines[0],
+                Is.EqualTo("table,device,config,method,surface,particles,grid,spacing,support,neighbours_mean,dispatches," +
                 "gpu_ms_median,gpu_ms_min,gpu_ms_max,steps_per_s,mpsteps_per_s,gpu_ms.First,gpu_ms.Second," +
                 "blocks_over_step,samples,frames,date,published_fps_gtx_580,published_fps_gtx_430,note"));
-            Assert.That(lines[1], Is.EqualTo("thesis,\"A \"\"fast\"\" one, with 2 cores\",sph_mc,thesis,marching-cubes-gs,16384,64,0.025,0.05,30.5,36," +
+            Assert.That(lines[1],
+                Is.EqualTo("thesis,\"A \"\"fast\"\" one, with 2 cores\",sph_mc,thesis,marching-cubes-gs,16384,64,0.025,0.05,30.5,36," +
                 "4,2,8,250,4.096,1,2,0.75,3,6,2026-11-21,314,277,graphics-limited"));
         }
 
@@ -117,9 +119,10 @@ namespace SphFluid.Tests
         }
 
         // 0: SPH only, 1: with particles, else marching cubes on that grid.
-        static BenchConfig Config(int grid) => grid == 0 ? BenchConfig.SphOnly : grid == 1 ? BenchConfig.SphParticles : BenchConfig.SphMarchingCubes(grid);
+        private static BenchConfig Config(int grid) => grid == 0 ? BenchConfig.SphOnly : grid == 1 ? BenchConfig.SphParticles
+            : BenchConfig.SphMarchingCubes(grid);
 
-        static BenchColumns Table()
+        private static BenchColumns Table()
         {
             var row = new BenchRow(BenchConfig.SphMarchingCubes(64), 16384)
             {
@@ -132,7 +135,8 @@ namespace SphFluid.Tests
             row.Add(new BenchTimes(1, 8.0, new[] { 2.0, 4.0 }));
             row.Add(new BenchTimes(4, 16.0, new[] { 4.0, 8.0 }));
             row.Add(new BenchTimes(1, 2.0, new[] { 0.5, 1.0 }));
-            var table = new BenchColumns(new ThesisLayout("thesis", new[] { "First", "Second" }), "A \"fast\" one, with 2 cores", "2026-11-21");
+            var table = new BenchColumns(new ThesisLayout("thesis", new[] { "First", "Second" }), "A \"fast\" one, with 2 cores",
+                "2026-11-21");
             table.Add(row);
             table.Add(new BenchRow(BenchConfig.SphOnly, 16384));
             return table;

@@ -9,13 +9,15 @@ namespace SphFluid.Tests
     /// <summary>The columns of the table of solvers, from made-up rows and from small liquids.</summary>
     public sealed class SolverTableTests
     {
-        static readonly string[] Parts = { "sort", "motion" };
+        private static readonly string[] Parts = { "sort", "motion" };
 
         [Test]
         public void RowsAreHeldAgainstTheThesisOfTheSameSize()
         {
-            BenchColumns table = Table((BenchSolver.ThesisCells, 1000, 9.0), (BenchSolver.ThesisOctant, 1000, 12.0), (BenchSolver.Standard, 1000, 3.0),
-                (BenchSolver.ThesisFused, 4000, 36.0), (BenchSolver.ThesisCells, 4000, 44.0), (BenchSolver.Standard, 4000, 12.0), (BenchSolver.StandardWide, 4000, 20.0));
+            BenchColumns table =
+                Table((BenchSolver.ThesisCells, 1000, 9.0), (BenchSolver.ThesisOctant, 1000, 12.0), (BenchSolver.Standard, 1000, 3.0),
+                (BenchSolver.ThesisFused, 4000, 36.0), (BenchSolver.ThesisCells, 4000, 44.0), (BenchSolver.Standard, 4000, 12.0),
+                (BenchSolver.StandardWide, 4000, 20.0));
 
             Assert.That(table.Column("speedup_thesis_27"), Is.EqualTo(new[] { "1", "0.75", "3", "1.22222", "1", "3.66667", "" }));
             Assert.That(table.Column("speedup_thesis_27_fused"), Is.EqualTo(new[] { "", "", "", "1", "0.818182", "3", "" }));
@@ -27,7 +29,9 @@ namespace SphFluid.Tests
         public void StepsTakenAtOnceHaveARowOfTheirMean()
         {
             var table = new BenchColumns(new SolverLayout(Parts), "device", "2026-11-22");
-            var row = new BenchRow(BenchConfig.StepsAtOnce(BenchSolver.Standard), 1000) { NeighboursMean = 30.0, CandidatesMean = 195.0, Dispatches = 72, CopySpeed = 1e9 };
+            var row = new BenchRow(BenchConfig.StepsAtOnce(BenchSolver.Standard),
+                1000)
+            { NeighboursMean = 30.0, CandidatesMean = 195.0, Dispatches = 72, CopySpeed = 1e9 };
             row.Add(new BenchTimes(2, 96.0, new[] { 12.0, 48.0 }, 12).PerStep(row.Config.Steps));
             table.Add(row);
 
@@ -43,7 +47,8 @@ namespace SphFluid.Tests
         [Test]
         public void GrowthIsTheExponentOverASixteenthOfTheSizeAndMore()
         {
-            BenchColumns table = Table((BenchSolver.Standard, 1000, 100.0), (BenchSolver.Standard, 4000, 8.0), (BenchSolver.Standard, 16000, 32.0),
+            BenchColumns table =
+                Table((BenchSolver.Standard, 1000, 100.0), (BenchSolver.Standard, 4000, 8.0), (BenchSolver.Standard, 16000, 32.0),
                 (BenchSolver.Standard, 64000, 512.0));
 
             Assert.That(table.Column("growth_exponent"), Is.EqualTo(new[] { "", "-1.82193", "-0.410964", "1.5" }));
@@ -88,11 +93,11 @@ namespace SphFluid.Tests
             {
                 var grid = new FluidGrid(domain, octant ? 2f * radius : radius);
                 long expected = 0;
-                foreach (Vector3 a in positions)
-                    expected += positions.Count(b => IsVisited(grid, octant, a, b));
+                foreach (Vector3 a in positions) expected += positions.Count(b => IsVisited(grid, octant, a, b));
                 double mean = CandidateCount.Mean(positions, grid, octant);
                 Assert.That(mean, Is.EqualTo(expected / (double)count).Within(1e-9), $"octant {octant}");
-                Assert.That(mean, Is.GreaterThanOrEqualTo(1.0 + NeighbourCount.Of(positions, radius).Mean), "all neighbours and itself are among them");
+                Assert.That(mean, Is.GreaterThanOrEqualTo(1.0 + NeighbourCount.Of(positions, radius).Mean),
+                    "all neighbours and itself are among them");
             }
         }
 
@@ -115,7 +120,8 @@ namespace SphFluid.Tests
 
                 Assert.That(ComputeKernel.DispatchesRecorded - before, Is.EqualTo(expected));
                 Assert.That(liquid.TriangleCount, solver.HasMesh ? Is.GreaterThan(20) : Is.Zero);
-                Assert.That(liquid.Solver.Settings.SupportRadius / liquid.Solver.Settings.Spacing, Is.EqualTo(solver.SupportRatio).Within(1e-5f));
+                Assert.That(liquid.Solver.Settings.SupportRadius / liquid.Solver.Settings.Spacing,
+                    Is.EqualTo(solver.SupportRatio).Within(1e-5f));
             }
         }
 
@@ -140,7 +146,7 @@ namespace SphFluid.Tests
         }
 
         // The 27 cells about a's, or the 8 that its octant touches.
-        static bool IsVisited(in FluidGrid grid, bool octant, Vector3 a, Vector3 b)
+        private static bool IsVisited(in FluidGrid grid, bool octant, Vector3 a, Vector3 b)
         {
             for (int axis = 0; axis < 3; axis++)
             {
@@ -148,19 +154,22 @@ namespace SphFluid.Tests
                 int own = Mathf.FloorToInt(place), other = Mathf.FloorToInt((b[axis] - grid.Origin[axis]) / grid.CellSize[axis]);
                 int low = octant ? (place - own < 0.5f ? own - 1 : own) : own - 1;
                 int high = octant ? low + 1 : own + 1;
-                if (other < low || other > high)
-                    return false;
+                if (other < low || other > high) return false;
             }
             return true;
         }
 
         // Two frames a sample; a quarter of each in the first part, half in the second.
-        static BenchColumns Table(params (BenchSolver Solver, int Particles, double Milliseconds)[] rows)
+        private static BenchColumns Table(params (BenchSolver Solver, int Particles, double Milliseconds)[] rows)
         {
             var table = new BenchColumns(new SolverLayout(Parts), "device", "2026-11-22");
             foreach ((BenchSolver solver, int particles, double milliseconds) in rows)
             {
-                var row = new BenchRow(BenchConfig.Step(solver), particles) { NeighboursMean = 30.0, CandidatesMean = 195.0, Dispatches = 18, CopySpeed = 1e9 };
+                var row = new BenchRow(BenchConfig.Step(solver), particles)
+                {
+                    NeighboursMean = 30.0, CandidatesMean = 195.0,
+                    Dispatches = 18, CopySpeed = 1e9
+                };
                 row.Add(new BenchTimes(2, 2.0 * milliseconds, new[] { 0.5 * milliseconds, milliseconds }));
                 table.Add(row);
             }

@@ -10,7 +10,7 @@ namespace SphFluid.Tests
     /// <summary>The rows and columns of the table of surfaces, from made-up rows and from small liquids.</summary>
     public sealed class SurfaceTableTests
     {
-        static readonly string[] Parts = { "field", "draw" };
+        private static readonly string[] Parts = { "field", "draw" };
 
         [Test]
         public void EveryGridHasTheThesisADenseAndASparseSurface()
@@ -19,7 +19,8 @@ namespace SphFluid.Tests
 
             Assert.That(plan.Configs.Select(c => $"{c.Name} {c.Grid} {c.Field}"), Is.EqualTo(new[]
             {
-                "gs 8 thesis", "dense 8 thesis", "sparse 8 thesis", "sparse 512 thesis", "sparse_cheap 0 cheap", "sparse_default 0 default", "sparse_high 0 high",
+                "gs 8 thesis", "dense 8 thesis", "sparse 8 thesis", "sparse 512 thesis", "sparse_cheap 0 cheap", "sparse_default 0 default",
+                "sparse_high 0 high",
                 "water_fast 0 default", "water_balanced 0 default", "water_fine 0 default", "water_fine_spray 0 default",
                 "sparse_whitewater 0 default",
             }));
@@ -47,8 +48,10 @@ namespace SphFluid.Tests
         [Test]
         public void RowsAreHeldAgainstTheSameGridAndHalfOfIt()
         {
-            BenchColumns table = Table((BenchConfig.GeometrySurface(64), 1000, 90.0), (BenchConfig.DenseSurface(64), 1000, 60.0), (BenchConfig.SparseSurface(64), 1000, 10.0),
-                (BenchConfig.SparseSurface(128), 1000, 45.0), (BenchConfig.SparseSurface(64), 4000, 20.0), (BenchConfig.SparseSurface(FluidSurfaceQuality.High), 1000, 5.0));
+            BenchColumns table = Table((BenchConfig.GeometrySurface(64), 1000, 90.0), (BenchConfig.DenseSurface(64), 1000, 60.0),
+                (BenchConfig.SparseSurface(64), 1000, 10.0),
+                (BenchConfig.SparseSurface(128), 1000, 45.0), (BenchConfig.SparseSurface(64), 4000, 20.0),
+                (BenchConfig.SparseSurface(FluidSurfaceQuality.High), 1000, 5.0));
 
             Assert.That(table.Column("speedup_gs"), Is.EqualTo(new[] { "1", "1.5", "9", "", "", "" }));
             Assert.That(table.Column("speedup_dense"), Is.EqualTo(new[] { "0.666667", "1", "6", "", "", "" }));
@@ -109,7 +112,8 @@ namespace SphFluid.Tests
                 GpuTest.Run(cmd => surface.Record(cmd, liquid.Solver, drawing));
                 GpuTest.Run(cmd => field.Record(cmd, liquid.Solver));
 
-                Assert.That(surface.Facts.Triangles, Is.EqualTo(twin.Polygonise(field, BenchDrawing.IsoValue).TriangleCount).And.GreaterThan(100));
+                Assert.That(surface.Facts.Triangles,
+                    Is.EqualTo(twin.Polygonise(field, BenchDrawing.IsoValue).TriangleCount).And.GreaterThan(100));
                 Assert.That(BenchPicture.Covered(drawing.Target), Is.InRange(0.05, 0.5));
             }
         }
@@ -118,15 +122,17 @@ namespace SphFluid.Tests
         public void EverySurfaceShowsTheSameLiquid()
         {
             FluidShaderSet shaders = SurfaceTestScene.LoadShaders();
-            if (MeasuredGeometrySurface.MissingSupport() != null)
-                Assert.Ignore(MeasuredGeometrySurface.MissingSupport());
+            if (MeasuredGeometrySurface.MissingSupport() != null) Assert.Ignore(MeasuredGeometrySurface.MissingSupport());
             using (var liquid = new BenchLiquid(shaders, BenchSolver.ThesisOctant, 1009))
             using (var drawing = new BenchDrawing(shaders, new Vector2Int(320, 180)))
             {
-                Color[][] pictures = Surfaces(shaders, liquid.Solver.Settings, 17).Select(s => Picture(s, liquid.Solver, drawing)).ToArray();
+                Color[][] pictures = Surfaces(shaders, liquid.Solver.Settings, 17)
+                    .Select(s => Picture(s, liquid.Solver, drawing)).ToArray();
 
                 foreach (Color[] picture in pictures)
+                {
                     Assert.That(Differing(pictures[0], picture), Is.LessThan(0.001), "part of the picture");
+                }
             }
         }
 
@@ -141,7 +147,8 @@ namespace SphFluid.Tests
                 Color[][] pictures = new[] { FluidWaterQuality.Fast, FluidWaterQuality.Balanced, FluidWaterQuality.Fine }
                     .Select(quality => BenchConfig.WaterSurface(new BenchWaterLook(quality, 0)))
                     .Append(BenchConfig.WaterSurface(new BenchWaterLook(FluidWaterQuality.Fine, 14)))
-                    .Select(config => Picture(new WaterBenchSurface(shaders, config, liquid.Solver.Settings), liquid.Solver, drawing)).ToArray();
+                    .Select(config => Picture(new WaterBenchSurface(shaders, config, liquid.Solver.Settings), liquid.Solver, drawing))
+                    .ToArray();
                 foreach (Color[] picture in pictures)
                 {
                     double water = picture.Count(colour => colour.b > 0.1f && colour.b > 1.3f * colour.r) / (double)picture.Length;
@@ -152,14 +159,14 @@ namespace SphFluid.Tests
             }
         }
 
-        static IEnumerable<IBenchSurface> Surfaces(FluidShaderSet shaders, FluidSolverSettings settings, int cells)
+        private static IEnumerable<IBenchSurface> Surfaces(FluidShaderSet shaders, FluidSolverSettings settings, int cells)
         {
             yield return new GeometryBenchSurface(shaders, cells);
             yield return new DenseBenchSurface(shaders, cells);
             yield return new SparseBenchSurface(shaders, BenchConfig.SparseSurface(cells), settings);
         }
 
-        static Color[] Picture(IBenchSurface surface, FluidSolver solver, BenchDrawing drawing)
+        private static Color[] Picture(IBenchSurface surface, FluidSolver solver, BenchDrawing drawing)
         {
             using (surface)
             {
@@ -173,15 +180,17 @@ namespace SphFluid.Tests
             }
         }
 
-        static double Differing(Color[] a, Color[] b) => a.Where((colour, i) => ((Vector4)(colour - b[i])).magnitude > 0.05f).Count() / (double)a.Length;
+        private static double Differing(Color[] a, Color[] b) =>
+            a.Where((colour, i) => ((Vector4)(colour - b[i])).magnitude > 0.05f).Count() / (double)a.Length;
 
         // Two frames a sample; a quarter of each in the first part, half in the second.
-        static BenchColumns Table(params (BenchConfig Config, int Particles, double Milliseconds)[] rows)
+        private static BenchColumns Table(params (BenchConfig Config, int Particles, double Milliseconds)[] rows)
         {
             var table = new BenchColumns(new SurfaceLayout(Parts), "device", "2026-11-22");
             foreach ((BenchConfig config, int particles, double milliseconds) in rows)
             {
-                var row = new BenchRow(config, particles) { Surface = BenchSurfaceFacts.Dense(config.Quality.HasValue ? 64 : config.Grid, 1000) };
+                var row =
+                    new BenchRow(config, particles) { Surface = BenchSurfaceFacts.Dense(config.Quality.HasValue ? 64 : config.Grid, 1000) };
                 row.Add(new BenchTimes(2, 2.0 * milliseconds, new[] { 0.5 * milliseconds, milliseconds }));
                 row.AddNeighbourSetup(3.0);
                 table.Add(row);

@@ -9,7 +9,7 @@ namespace SphFluid.Tests
     /// <summary>Picks against given ways, from made-up runs: errors in spacings, and what counts as better at the same cost.</summary>
     public sealed class BudgetVerdictTests
     {
-        static readonly BudgetWay Automatic = BudgetWay.Chosen(4.0);
+        private static readonly BudgetWay Automatic = BudgetWay.Chosen(4.0);
 
         [Test]
         public void TheErrorIsTheDistanceFromTheMeanOfTheReference()
@@ -45,7 +45,8 @@ namespace SphFluid.Tests
             var rows = new List<BudgetRow>
             {
                 Row(BudgetWay.Reference, 0f), Row(BudgetWay.Given[0], 0.05f, 1.0), Row(BudgetWay.Given[0], 0.051f, 1.0),
-                Row(BudgetWay.Given[2], 0.01f, 2.0, "robust"), Row(BudgetWay.Given[2], 0.011f, 2.0, "robust"), Row(Automatic, 0.05f, 5.0), Row(Automatic, 0.051f, 0.2),
+                Row(BudgetWay.Given[2], 0.01f, 2.0, "robust"), Row(BudgetWay.Given[2], 0.011f, 2.0, "robust"), Row(Automatic, 0.05f, 5.0),
+                Row(Automatic, 0.051f, 0.2),
             };
             BudgetVerdict.Judge(rows);
             Assert.That(rows.Where(r => r.Method == "standard").Select(r => r.Cost), Is.All.EqualTo(1.0));
@@ -57,7 +58,8 @@ namespace SphFluid.Tests
         {
             var rows = new List<BudgetRow>
             {
-                Row(BudgetWay.Reference, 0f), Row(BudgetWay.Given[0], 0.0500f), Row(BudgetWay.Given[0], 0.0500f), Row(Automatic, 0.0502f), Row(Automatic, 0.0502f),
+                Row(BudgetWay.Reference, 0f), Row(BudgetWay.Given[0], 0.0500f), Row(BudgetWay.Given[0], 0.0500f), Row(Automatic, 0.0502f),
+                Row(Automatic, 0.0502f),
             };
             BudgetVerdict.Judge(rows);
             Assert.That(rows.Select(r => r.BetterWay), Is.All.Empty, "Automatic picked that way: two hundredths of a spacing are nothing");
@@ -93,7 +95,7 @@ namespace SphFluid.Tests
             Assert.That(BudgetWay.Given.Select(w => w.Name).Distinct().Count(), Is.EqualTo(BudgetWay.Given.Count));
         }
 
-        static BudgetRow Row(BudgetWay way, float offset, double milliseconds = 1.0, string method = "standard") => new BudgetRow
+        private static BudgetRow Row(BudgetWay way, float offset, double milliseconds = 1.0, string method = "standard") => new BudgetRow
         {
             Way = way,
             Method = method,

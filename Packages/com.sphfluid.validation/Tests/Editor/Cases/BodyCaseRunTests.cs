@@ -10,7 +10,7 @@ namespace SphFluid.Tests
     /// <summary>Runs with bodies that move, and what their metrics are told.</summary>
     public sealed class BodyCaseRunTests
     {
-        FluidShaderSet shaders;
+        private FluidShaderSet shaders;
 
         [SetUp]
         public void LoadShaders() => shaders = SurfaceTestScene.LoadShaders();
@@ -75,7 +75,7 @@ namespace SphFluid.Tests
         }
 
         // Above the pool of 0.1 m depth in a domain of a metre.
-        static CaseBody Body(float x, float mass, Func<double, Vector3> path) => new CaseBody
+        private static CaseBody Body(float x, float mass, Func<double, Vector3> path) => new CaseBody
         {
             Mesh = TriangleMesh.Box(Matrix4x4.Scale(0.12f * Vector3.one)),
             Centre = new Vector3(x, 0.2f, 0f),
@@ -83,7 +83,7 @@ namespace SphFluid.Tests
             Path = path,
         };
 
-        static CaseSetup Pool(string method)
+        private static CaseSetup Pool(string method)
         {
             var parameters = CaseParameters.At(CaseMethod.Find(method), 4, 5.0);
             var counts = new Vector3Int(8, 4, 6);
@@ -97,7 +97,7 @@ namespace SphFluid.Tests
             };
         }
 
-        sealed class Watch : CaseMetric
+        private sealed class Watch : CaseMetric
         {
             public readonly List<Vector3[]> Places = new List<Vector3[]>();
             public readonly List<double> Times = new List<double>();

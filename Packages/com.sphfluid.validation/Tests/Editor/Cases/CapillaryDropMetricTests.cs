@@ -8,15 +8,16 @@ namespace SphFluid.Tests
 {
     public sealed class CapillaryDropMetricTests
     {
-        const double Tension = 0.05, Mass = 0.004, Viscosity = 1e-5, Radius = 0.01;
-        static readonly double lamb = Math.Sqrt(32.0 * Math.PI * Tension / (3.0 * Mass)), set = 5.0 * Viscosity / (Radius * Radius);
-        static readonly List<Vector3> ball = CaseLattice.Ball(Radius, Radius / 6.0);
+        private const double Tension = 0.05, Mass = 0.004, Viscosity = 1e-5, Radius = 0.01;
+        private static readonly double lamb = Math.Sqrt(32.0 * Math.PI * Tension / (3.0 * Mass)), set = 5.0 * Viscosity / (Radius * Radius);
+        private static readonly List<Vector3> ball = CaseLattice.Ball(Radius, Radius / 6.0);
 
         [Test]
         public void LambsFrequencyIsThatOfItsUsualForm()
         {
             double density = Mass / (4.0 / 3.0 * Math.PI * Radius * Radius * Radius);
-            Assert.That(CapillaryDropMetric.FrequencyOf(Tension, Mass), Is.EqualTo(Math.Sqrt(8.0 * Tension / (density * Radius * Radius * Radius))).Within(1e-9).Percent);
+            Assert.That(CapillaryDropMetric.FrequencyOf(Tension, Mass),
+                Is.EqualTo(Math.Sqrt(8.0 * Tension / (density * Radius * Radius * Radius))).Within(1e-9).Percent);
         }
 
         [TestCase(1.0, 1.0)]
@@ -29,8 +30,10 @@ namespace SphFluid.Tests
             Assert.That(metric.Evaluate()[0].Name, Is.EqualTo(new CapillaryDropCase().ErrorName));
             Assert.That(metric.Evaluate()[0].Value, Is.EqualTo(Math.Abs(1.0 / frequencyRatio - 1.0)).Within(1e-3));
             Assert.That(WallCaseStates.Named(metric, "period, T/T_Lamb − 1"), Is.EqualTo(1.0 / frequencyRatio - 1.0).Within(1e-3));
-            Assert.That(WallCaseStates.Named(metric, "damping rate over the frequency"), Is.EqualTo(dampingRatio * set / lamb).Within(1e-3));
-            Assert.That(WallCaseStates.Named(metric, "damping beyond the set viscosity's over the frequency"), Is.EqualTo((dampingRatio - 1.0) * set / lamb).Within(1e-3));
+            Assert.That(WallCaseStates.Named(metric, "damping rate over the frequency"),
+                Is.EqualTo(dampingRatio * set / lamb).Within(1e-3));
+            Assert.That(WallCaseStates.Named(metric, "damping beyond the set viscosity's over the frequency"),
+                Is.EqualTo((dampingRatio - 1.0) * set / lamb).Within(1e-3));
         }
 
         [Test]
@@ -44,7 +47,7 @@ namespace SphFluid.Tests
             Assert.That(metric.Series()[1].Y, Is.EqualTo(metric.Series()[0].Y).Within(0.02));
         }
 
-        static CapillaryDropMetric Watched(double swing, double frequencyRatio, double dampingRatio, float speed = 0f)
+        private static CapillaryDropMetric Watched(double swing, double frequencyRatio, double dampingRatio, float speed = 0f)
         {
             var metric = new CapillaryDropMetric(Tension, Mass, Viscosity, Radius);
             double period = 2.0 * Math.PI / lamb;

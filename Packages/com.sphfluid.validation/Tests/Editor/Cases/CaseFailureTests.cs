@@ -8,15 +8,16 @@ namespace SphFluid.Tests
     /// <summary>Every reason that ends any run, at its border.</summary>
     public sealed class CaseFailureTests
     {
-        const int Count = 1000;
-        CaseSetup setup;
-        FluidParticle[] particles;
+        private const int Count = 1000;
+        private CaseSetup setup;
+        private FluidParticle[] particles;
 
         [SetUp]
         public void SetUp()
         {
             setup = CaseStates.Block(1, 1);
-            particles = Enumerable.Range(0, Count).Select(i => new FluidParticle(0.0004f * i * Vector3.one, Vector3.right, (uint)i)).ToArray();
+            particles = Enumerable.Range(0, Count).Select(i => new FluidParticle(0.0004f * i * Vector3.one, Vector3.right, (uint)i))
+                .ToArray();
         }
 
         [Test]
@@ -46,8 +47,7 @@ namespace SphFluid.Tests
         [TestCase(-0.5101f, 2, true)]
         public void ParticlesBeyondWallsAreLost(float place, int count, bool fails)
         {
-            for (int i = 0; i < count; i++)
-                particles[i].Position.y = place;
+            for (int i = 0; i < count; i++) particles[i].Position.y = place;
             Assert.That(Reason(), fails ? Does.Contain("0.2 % of the particles are beyond a wall") : Is.Null);
         }
 
@@ -56,8 +56,7 @@ namespace SphFluid.Tests
         public void ParticlesDeepInObstaclesAreLost(float depth, bool fails)
         {
             setup.Obstacles = new[] { CaseStates.BoxCorners(new Vector3(-0.3f, 0, 0), 0.2f * Vector3.one) };
-            for (int i = 0; i < 2; i++)
-                particles[i].Position = new Vector3(-0.2f - depth, 0.01f, 0.02f);
+            for (int i = 0; i < 2; i++) particles[i].Position = new Vector3(-0.2f - depth, 0.01f, 0.02f);
             Assert.That(Reason(), fails ? Does.Contain("beyond a wall") : Is.Null);
         }
 
@@ -80,6 +79,6 @@ namespace SphFluid.Tests
             Assert.That(Reason(), fails ? Does.Contain("a particle has 1 m/s") : Is.Null);
         }
 
-        string Reason() => new CaseFailure(setup).Of(CaseStates.State(particles));
+        private string Reason() => new CaseFailure(setup).Of(CaseStates.State(particles));
     }
 }

@@ -31,7 +31,8 @@ namespace SphFluid.Tests
             foreach (Vector3 p in ball)
             {
                 Assert.That(p.magnitude, Is.LessThanOrEqualTo(1.00001f));
-                Assert.That(places.Contains(-p) && places.Contains(new Vector3(p.y, p.x, p.z)) && places.Contains(new Vector3(p.z, p.y, -p.x)), p.ToString());
+                Assert.That(places.Contains(-p) && places.Contains(new Vector3(p.y, p.x, p.z)) &&
+                    places.Contains(new Vector3(p.z, p.y, -p.x)), p.ToString());
             }
         }
 
@@ -50,7 +51,8 @@ namespace SphFluid.Tests
             double deviation = Math.Sqrt(numbers.Average(n => (double)n * n));
             Assert.That(numbers.Average(), Is.EqualTo(0).Within(1e-3));
             Assert.That(deviation, Is.EqualTo(0.02).Within(3).Percent);
-            Assert.That(numbers.Count(n => Math.Abs(n) < 0.02) / (double)numbers.Count, Is.EqualTo(0.6827).Within(0.015), "one standard deviation");
+            Assert.That(numbers.Count(n => Math.Abs(n) < 0.02) / (double)numbers.Count, Is.EqualTo(0.6827).Within(0.015),
+                "one standard deviation");
             Assert.That(Jittered(1), Is.EqualTo(first));
             Assert.That(Jittered(2), Is.Not.EqualTo(first));
         }

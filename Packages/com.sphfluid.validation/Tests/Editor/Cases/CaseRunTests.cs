@@ -12,7 +12,7 @@ namespace SphFluid.Tests
     /// <summary>A run shows a metric the solver's own states at the right times, and ends when it should.</summary>
     public sealed class CaseRunTests
     {
-        FluidShaderSet shaders;
+        private FluidShaderSet shaders;
 
         [SetUp]
         public void CreateShaders() => shaders = TestShaders.CreateSet();
@@ -75,7 +75,9 @@ namespace SphFluid.Tests
                 long steps = solver.StepCount;
                 stepper.Step(1000);
                 Assert.That(Dispatches(), Is.EqualTo((solver.StepCount - steps) * step));
-                Assert.That(solver.StepCount - steps, Is.EqualTo(CaseStepper.MostAtOnce(setup.Settings, setup.Particles.Length, FluidSupport.IsSoftwareDevice)), "by no clock");
+                Assert.That(solver.StepCount - steps,
+                    Is.EqualTo(CaseStepper.MostAtOnce(setup.Settings, setup.Particles.Length, FluidSupport.IsSoftwareDevice)),
+                    "by no clock");
                 Assert.That(step, Is.EqualTo(10 + 8), "10 sorts and the 8 other blocks");
             }
         }
@@ -112,8 +114,7 @@ namespace SphFluid.Tests
         public void ObstaclesStopTheLiquid(bool there)
         {
             CaseSetup setup = CaseStates.Block(0.4, 0.4);
-            if (there)
-                setup.Obstacles = new[] { CaseStates.BoxCorners(new Vector3(0, 0.05f, 0), new Vector3(0.9f, 0.1f, 0.9f)) };
+            if (there) setup.Obstacles = new[] { CaseStates.BoxCorners(new Vector3(0, 0.05f, 0), new Vector3(0.9f, 0.1f, 0.9f)) };
             Run(setup, out CaseStates.Recorder metric);
 
             float lowest = metric.States.Last().LocalPositions.Min(p => p.y);
@@ -178,13 +179,14 @@ namespace SphFluid.Tests
         public IEnumerator GpuTimesAreThoseOfTheSteps()
         {
             if (!SystemInfo.supportsGpuRecorder)
+            {
                 Assert.Ignore($"{SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType}) has no GPU times.");
+            }
             CaseSetup setup = CaseStates.Block(0.1, 0.02);
             using (var run = new CaseRun(setup, new CaseStates.Recorder(), shaders, true))
             {
                 var work = new SessionWork(run.Run());
-                while (work.Step())
-                    yield return null;
+                while (work.Step()) yield return null;
                 Assert.That(run.Result.Failure, Is.Null);
                 Assert.That(run.Result.Errors[0].Value, Is.EqualTo(6));
                 Assert.That(run.Result.GpuMsPerSecond, Is.Positive.And.Not.EqualTo(double.PositiveInfinity));
@@ -192,7 +194,7 @@ namespace SphFluid.Tests
             }
         }
 
-        CaseResult Run(CaseSetup setup, out CaseStates.Recorder metric, int failAt = -1)
+        private CaseResult Run(CaseSetup setup, out CaseStates.Recorder metric, int failAt = -1)
         {
             metric = new CaseStates.Recorder { FailAt = failAt };
             using (var run = new CaseRun(setup, metric, shaders))

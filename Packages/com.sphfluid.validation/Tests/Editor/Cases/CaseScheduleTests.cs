@@ -17,8 +17,7 @@ namespace SphFluid.Tests
         {
             var schedule = new CaseSchedule(duration, interval, step);
             var found = new List<int>();
-            for (long at = 0; at < schedule.LastStep; found.Add((int)at))
-                at = schedule.Next(at);
+            for (long at = 0; at < schedule.LastStep; found.Add((int)at)) at = schedule.Next(at);
 
             Assert.That(found, Is.EqualTo(expected));
         }
@@ -41,6 +40,7 @@ namespace SphFluid.Tests
         [TestCase(1, 1, double.NaN)]
         [TestCase(double.PositiveInfinity, 1, 1)]
         public void TimesThatAreNoneAreNamed(double duration, double interval, double step) =>
-            Assert.That(() => new CaseSchedule(duration, interval, step), Throws.ArgumentException.With.Message.Contains("positive number of seconds"));
+            Assert.That(() => new CaseSchedule(duration, interval, step),
+                Throws.ArgumentException.With.Message.Contains("positive number of seconds"));
     }
 }

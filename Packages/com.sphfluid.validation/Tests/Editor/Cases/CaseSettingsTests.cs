@@ -8,7 +8,7 @@ namespace SphFluid.Tests
     /// <summary>The factors of the chart become constants of the solver.</summary>
     public sealed class CaseSettingsTests
     {
-        static readonly Vector3 Domain = 2 * Vector3.one;
+        private static readonly Vector3 Domain = 2 * Vector3.one;
 
         [TestCase(5.0)]
         [TestCase(12.0)]
@@ -17,7 +17,8 @@ namespace SphFluid.Tests
             FluidSolverSettings settings = CaseSettings.For(At(ratio, 0.5), Domain, 0.1, 0.7, new Vector3(0, -9.81f, 0));
 
             Assert.That(settings.SoundSpeed, Is.EqualTo(0.7 * ratio).Within(1e-4).Percent);
-            Assert.That(settings.TimeStep, Is.EqualTo(0.5 * 1.35 * 0.2 / Math.Sqrt(settings.Own<ThesisSettings>().Stiffness)).Within(1e-4).Percent, "dt = 0.5 · 1.35 R/√k");
+            Assert.That(settings.TimeStep, Is.EqualTo(0.5 * 1.35 * 0.2 / Math.Sqrt(settings.Own<ThesisSettings>().Stiffness))
+                .Within(1e-4).Percent, "dt = 0.5 · 1.35 R/√k");
             Assert.That(settings.OctantSearch, Is.False);
         }
 
@@ -48,10 +49,11 @@ namespace SphFluid.Tests
         public void APeriodicAxisThatIsTooShortIsAnError()
         {
             var boundaries = new FluidBoundaries { Periodic = FluidAxes.X };
-            Assert.That(() => CaseSettings.For(At(10, 0.5), new Vector3(0.3f, 1, 1), 0.1, 1, Vector3.zero, null, boundaries), Throws.ArgumentException);
+            Assert.That(() => CaseSettings.For(At(10, 0.5), new Vector3(0.3f, 1, 1), 0.1, 1, Vector3.zero, null, boundaries),
+                Throws.ArgumentException);
         }
 
-        static CaseParameters At(double ratio, double fraction) => new CaseParameters
+        private static CaseParameters At(double ratio, double fraction) => new CaseParameters
         {
             Method = CaseStates.Thesis, Resolution = 10, SupportRatio = 2, SoundSpeedRatio = ratio, TimeStepFraction = fraction,
         };

@@ -6,7 +6,7 @@ using UnityEngine;
 namespace SphFluid.Tests
 {
     /// <summary>A small liquid and a metric that keeps what it sees, for the runs of cases.</summary>
-    static class CaseStates
+    internal static class CaseStates
     {
         public static CaseMethod Thesis => CaseMethod.Find("thesis");
 
@@ -15,7 +15,11 @@ namespace SphFluid.Tests
         /// <summary>A block of 5³ particles that falls in a box of 1 m, dx = 2 cm.</summary>
         public static CaseSetup Block(double duration, double interval)
         {
-            var parameters = new CaseParameters { Method = Thesis, Resolution = 5, SupportRatio = 2.0, TimeStepFraction = 0.5, SoundSpeedRatio = 5.0, Seed = 3 };
+            var parameters = new CaseParameters
+            {
+                Method = Thesis, Resolution = 5, SupportRatio = 2.0, TimeStepFraction = 0.5,
+                SoundSpeedRatio = 5.0, Seed = 3
+            };
             List<Vector3> block = CaseLattice.Box(5 * Vector3Int.one, 0.02, new Vector3(-0.05f, 0.2f, -0.05f));
             CaseLattice.Jitter(block, 0.001, parameters.Seed, 0.5f * Vector3.one);
             return new CaseSetup
@@ -36,7 +40,8 @@ namespace SphFluid.Tests
 
         /// <summary>A state of some particles.</summary>
         public static FluidSnapshot State(IReadOnlyList<FluidParticle> particles, float density = 1000f) =>
-            FluidSnapshot.FromParticles(particles.ToArray(), particles.Select(p => density).ToArray(), new float[particles.Count], Matrix4x4.identity);
+            FluidSnapshot.FromParticles(particles.ToArray(), particles.Select(p => density).ToArray(), new float[particles.Count],
+                Matrix4x4.identity);
 
         /// <summary>Keeps states; says that the run fails at one of them.</summary>
         public sealed class Recorder : CaseMetric
@@ -47,8 +52,7 @@ namespace SphFluid.Tests
 
             public override void Sample(double time, FluidSnapshot state)
             {
-                if (Times.Count == FailAt)
-                    Failure = "the cup is empty";
+                if (Times.Count == FailAt) Failure = "the cup is empty";
                 Times.Add(time);
                 States.Add(state);
             }

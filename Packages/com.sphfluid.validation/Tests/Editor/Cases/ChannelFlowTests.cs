@@ -6,7 +6,7 @@ namespace SphFluid.Tests
 {
     public sealed class ChannelFlowTests
     {
-        const double Gap = 0.8, Viscosity = 0.01, Force = 0.03, Speed = 0.2;
+        private const double Gap = 0.8, Viscosity = 0.01, Force = 0.03, Speed = 0.2;
 
         [Test]
         public void BothStartFromRestAndEndInTheSteadyProfile()
@@ -18,8 +18,7 @@ namespace SphFluid.Tests
                 Assert.That(Couette(y, 1e4), Is.EqualTo(Speed * y / Gap).Within(1e-12));
                 Assert.That(Poiseuille(y, 0), Is.Zero);
                 Assert.That(Couette(y, 0), Is.EqualTo(i == 16 ? Speed : 0));
-                if (i < 15)
-                    Assert.That(Couette(y, 1e-3), Is.Zero.Within(1e-12), "the wall has not been felt yet");
+                if (i < 15) Assert.That(Couette(y, 1e-3), Is.Zero.Within(1e-12), "the wall has not been felt yet");
             }
             Assert.That(Poiseuille(0.5 * Gap, 1e-3), Is.EqualTo(Force * 1e-3).Within(1e-12), "a free fall far from the walls");
         }
@@ -31,8 +30,7 @@ namespace SphFluid.Tests
             Assert.That(Poiseuille(Gap, t), Is.Zero.Within(1e-14));
             Assert.That(Couette(0, t), Is.Zero.Within(1e-14));
             Assert.That(Couette(Gap, t), Is.EqualTo(Speed).Within(1e-14));
-            for (double y = 0.05; y < 0.4; y += 0.05)
-                Assert.That(Poiseuille(y, t), Is.EqualTo(Poiseuille(Gap - y, t)).Within(1e-14));
+            for (double y = 0.05; y < 0.4; y += 0.05) Assert.That(Poiseuille(y, t), Is.EqualTo(Poiseuille(Gap - y, t)).Within(1e-14));
         }
 
         [Test]
@@ -57,16 +55,15 @@ namespace SphFluid.Tests
             }
         }
 
-        static double[] Diffused(double[] u, double ratio, double push)
+        private static double[] Diffused(double[] u, double ratio, double push)
         {
             var next = (double[])u.Clone();
-            for (int i = 1; i < u.Length - 1; i++)
-                next[i] = u[i] + ratio * (u[i - 1] - 2 * u[i] + u[i + 1]) + push;
+            for (int i = 1; i < u.Length - 1; i++) next[i] = u[i] + ratio * (u[i - 1] - 2 * u[i] + u[i + 1]) + push;
             return next;
         }
 
-        static double Poiseuille(double y, double t) => ChannelFlow.Poiseuille(y, t, Gap, Viscosity, Force);
+        private static double Poiseuille(double y, double t) => ChannelFlow.Poiseuille(y, t, Gap, Viscosity, Force);
 
-        static double Couette(double y, double t) => ChannelFlow.Couette(y, t, Gap, Viscosity, Speed);
+        private static double Couette(double y, double t) => ChannelFlow.Couette(y, t, Gap, Viscosity, Speed);
     }
 }

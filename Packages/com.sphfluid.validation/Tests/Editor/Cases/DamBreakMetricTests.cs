@@ -8,8 +8,8 @@ namespace SphFluid.Tests
 {
     public sealed class DamBreakMetricTests
     {
-        const double Width = 0.2, Gravity = 9.81, Spacing = 0.01;
-        const int SlabRows = 6;
+        private const double Width = 0.2, Gravity = 9.81, Spacing = 0.01;
+        private const int SlabRows = 6;
 
         [Test]
         public void TheExperimentHasNoErrorAndItsShiftIsFound([Values(0.0, 0.17, -0.3)] double ahead)
@@ -22,8 +22,7 @@ namespace SphFluid.Tests
             Assert.That(WallCaseStates.Named(metric, "front, slope dZ/dT − 1"), Is.Zero.Within(1e-3));
             Assert.That(WallCaseStates.Named(metric, "height, largest error"), Is.LessThan(1e-3));
             double raw = 0.0;
-            for (int i = 1; i < 15; i++)
-                raw += Math.Pow(Front(MartinMoyce.FrontTimes[i] + ahead) / MartinMoyce.Fronts[i] - 1.0, 2) / 14.0;
+            for (int i = 1; i < 15; i++) raw += Math.Pow(Front(MartinMoyce.FrontTimes[i] + ahead) / MartinMoyce.Fronts[i] - 1.0, 2) / 14.0;
             Assert.That(WallCaseStates.Named(metric, new DamBreakCase().CompanionErrorName), Is.EqualTo(Math.Sqrt(raw)).Within(1e-3));
         }
 
@@ -59,8 +58,7 @@ namespace SphFluid.Tests
         {
             DamBreakMetric metric = Watched(Front, Height, (positions, front, height) =>
             {
-                for (int i = 1; i < SlabRows; i++)
-                    positions.Add(new Vector3((float)(front + 0.03), 0.005f, 0f));
+                for (int i = 1; i < SlabRows; i++) positions.Add(new Vector3((float)(front + 0.03), 0.005f, 0f));
                 positions.Add(new Vector3((float)(front + 0.1), 0.005f, 0f));
                 positions.Add(new Vector3((float)(front + 0.005), 0.035f, 0f));
                 positions.Add(new Vector3(0.005f, (float)(height + 0.04), 0f));
@@ -77,8 +75,7 @@ namespace SphFluid.Tests
             DamBreakMetric metric = Watched(Front, Height, (positions, front, height) =>
             {
                 for (double y = height + 0.5 * Spacing; y < height + film * 2.0 * Width; y += 0.5 * Spacing)
-                    for (int z = 0; z < SlabRows; z++)
-                        positions.Add(new Vector3(0.005f, (float)y, (float)(z * Spacing)));
+                    for (int z = 0; z < SlabRows; z++) positions.Add(new Vector3(0.005f, (float)y, (float)(z * Spacing)));
             });
 
             Assert.That(WallCaseStates.Named(metric, "height, largest error"), Is.EqualTo(film).Within(Spacing / (2.0 * Width)));
@@ -109,7 +106,7 @@ namespace SphFluid.Tests
             Assert.That(series[0].IsReference && series[1].IsReference && !series[4].IsReference);
         }
 
-        static DamBreakMetric Watched(Func<double, double> front, Func<double, double> height,
+        private static DamBreakMetric Watched(Func<double, double> front, Func<double, double> height,
             Action<List<Vector3>, double, double> spray, double until = 3.9)
         {
             var settings = new FluidSolverSettings
@@ -129,26 +126,23 @@ namespace SphFluid.Tests
                 {
                     var flying = new List<Vector3>();
                     spray(flying, x, y);
-                    foreach (Vector3 p in flying)
-                        positions.Add(p - 0.5f * settings.DomainSize);
+                    foreach (Vector3 p in flying) positions.Add(p - 0.5f * settings.DomainSize);
                 }
                 metric.Sample(t * Math.Sqrt(Width / (2.0 * Gravity)), ImpactCaseStates.State(positions));
             }
             return metric;
         }
 
-        static double Front(double t) => Through(t, 1.0, MartinMoyce.FrontTimes, MartinMoyce.Fronts);
+        private static double Front(double t) => Through(t, 1.0, MartinMoyce.FrontTimes, MartinMoyce.Fronts);
 
-        static double Height(double t) => Through(t, 1.0, MartinMoyce.HeightTimes, MartinMoyce.Heights);
+        private static double Height(double t) => Through(t, 1.0, MartinMoyce.HeightTimes, MartinMoyce.Heights);
 
         // Straight lines from (0, start) through the points and on beyond the last; constant before.
-        static double Through(double t, double start, double[] xs, double[] ys)
+        private static double Through(double t, double start, double[] xs, double[] ys)
         {
-            if (t <= 0.0)
-                return start;
+            if (t <= 0.0) return start;
             int i = 0;
-            while (i < xs.Length - 1 && xs[i] < t)
-                i++;
+            while (i < xs.Length - 1 && xs[i] < t) i++;
             double x0 = i == 0 ? 0.0 : xs[i - 1], y0 = i == 0 ? start : ys[i - 1];
             return y0 + (t - x0) * (ys[i] - y0) / (xs[i] - x0);
         }

@@ -45,8 +45,7 @@ namespace SphFluid.Tests
         {
             var line = new LineFit();
             Assert.That(line.Slope, Is.NaN);
-            for (int i = 0; i < 7; i++)
-                line.Add(1e6 + i, 4 - 0.25 * i + (i % 2 == 0 ? 0 : 0.01));
+            for (int i = 0; i < 7; i++) line.Add(1e6 + i, 4 - 0.25 * i + (i % 2 == 0 ? 0 : 0.01));
 
             // By hand: points (0, 0) (1, 0.01) (2, 0) … about their mean have no slope, the odd ones being symmetric.
             Assert.That(line.Slope, Is.EqualTo(-0.25).Within(1e-9));
@@ -54,7 +53,7 @@ namespace SphFluid.Tests
             Assert.That(line.Count, Is.EqualTo(7));
         }
 
-        static DampedOscillationFit Fit(Func<double, double> signal, double expected)
+        private static DampedOscillationFit Fit(Func<double, double> signal, double expected)
         {
             var times = new List<double>();
             var values = new List<double>();

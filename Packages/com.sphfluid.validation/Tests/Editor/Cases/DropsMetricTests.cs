@@ -9,7 +9,7 @@ namespace SphFluid.Tests
     /// <summary>The metric of two colliding drops on motions made by hand.</summary>
     public sealed class DropsMetricTests
     {
-        const int Count = 200;
+        private const int Count = 200;
 
         // The published force, summed by small steps; its peak is at t* = 0.15.
         [TestCase(0.1)]
@@ -94,16 +94,20 @@ namespace SphFluid.Tests
             Assert.That(setup.Particles.Length * Math.Pow(dx, 3.0), Is.EqualTo(8.0 / 3.0 * Math.PI).Within(0.01).Percent);
         }
 
-        static double Named(CaseMetric metric, string start) => metric.Evaluate().Single(e => e.Name.StartsWith(start)).Value;
+        private static double Named(CaseMetric metric, string start) => metric.Evaluate().Single(e => e.Name.StartsWith(start)).Value;
 
-        static DropsMetric Metric()
+        private static DropsMetric Metric()
         {
-            var settings = new FluidSolverSettings { Method = FluidMethodKind.Standard, Spacing = 0.05f, TimeStep = 0.001f, RestDensity = 1000f, ParticleMass = 1f, DomainSize = 100f * Vector3.one };
+            var settings = new FluidSolverSettings
+            {
+                Method = FluidMethodKind.Standard, Spacing = 0.05f, TimeStep = 0.001f,
+                RestDensity = 1000f, ParticleMass = 1f, DomainSize = 100f * Vector3.one
+            };
             return new DropsMetric(settings.WithOwn(new StandardSettings { SoundSpeed = 30f }), 3.0, 6.0, 1.0);
         }
 
         // Two rows twice as high as wide; the drops at ±u along x.
-        static FluidSnapshot State(float u, Vector3 shift, Vector3 velocity)
+        private static FluidSnapshot State(float u, Vector3 shift, Vector3 velocity)
         {
             var particles = new FluidParticle[Count];
             for (int i = 0; i < Count; i++)

@@ -10,9 +10,9 @@ namespace SphFluid.Tests
     /// <summary>The metric on particles that are moved by hand, exactly and wrongly.</summary>
     public sealed class EllipsoidMetricTests
     {
-        const double End = 6.0;
-        static readonly EllipsoidMotion exact = new EllipsoidMotion(0.5, 8);
-        static readonly List<Vector3> ball = CaseLattice.Ball(1, 0.25);
+        private const double End = 6.0;
+        private static readonly EllipsoidMotion exact = new EllipsoidMotion(0.5, 8);
+        private static readonly List<Vector3> ball = CaseLattice.Ball(1, 0.25);
 
         [TestCase(1.0, 0.05)]
         [TestCase(1.0, 0.0473)]
@@ -79,7 +79,7 @@ namespace SphFluid.Tests
         }
 
         // Simpson's rule, other than the metric's.
-        static double Expected(Func<double, double> wrong)
+        private static double Expected(Func<double, double> wrong)
         {
             const int Parts = 2000;
             double sum = 0;
@@ -91,13 +91,15 @@ namespace SphFluid.Tests
             return Math.Sqrt(sum) / 0.70244;
         }
 
-        static EllipsoidMetric Watched(double rate, double interval, Func<double, double> axis, Vector3 centre = default, double end = End)
+        private static EllipsoidMetric Watched(double rate, double interval, Func<double, double> axis, Vector3 centre = default,
+            double end = End)
         {
             var metric = new EllipsoidMetric(exact, rate);
             for (int s = 0; s * interval <= end + 1e-9; s++)
             {
                 float z = (float)axis(s * interval), x = 1f / Mathf.Sqrt(z);
-                metric.Sample(s * interval / rate, WallCaseStates.State(ball.Count, i => centre + new Vector3(x * ball[i].x, x * ball[i].y, z * ball[i].z)));
+                metric.Sample(s * interval / rate,
+                    WallCaseStates.State(ball.Count, i => centre + new Vector3(x * ball[i].x, x * ball[i].y, z * ball[i].z)));
             }
             return metric;
         }

@@ -7,7 +7,7 @@ namespace SphFluid.Tests
     /// <summary>The exact motion against values computed with other integrators (Gauss-Legendre of order 8, DOP853).</summary>
     public sealed class EllipsoidMotionTests
     {
-        static readonly EllipsoidMotion motion = new EllipsoidMotion(0.5, 9);
+        private static readonly EllipsoidMotion motion = new EllipsoidMotion(0.5, 9);
 
         [TestCase(0.0, 1.0)]
         [TestCase(0.5, 1.24166)]
@@ -18,7 +18,8 @@ namespace SphFluid.Tests
         [TestCase(3.0, 0.73738)]
         [TestCase(3.5, 0.69204)]
         [TestCase(4.0, 0.78616)]
-        public void HalfAxisIsThatOfTheTable(double time, double expected) => Assert.That(motion.AlongZ(time), Is.EqualTo(expected).Within(6e-6));
+        public void HalfAxisIsThatOfTheTable(double time, double expected) =>
+        Assert.That(motion.AlongZ(time), Is.EqualTo(expected).Within(6e-6));
 
         [Test]
         public void PeriodAndRangeAreThoseOfTheTable()
@@ -44,7 +45,10 @@ namespace SphFluid.Tests
         {
             const double Step = 1e-4;
             for (double t = 0.01; t < 8; t += 0.77)
-                Assert.That(motion.RateAlongZ(t), Is.EqualTo((motion.AlongZ(t + Step) - motion.AlongZ(t - Step)) / (2 * Step)).Within(1e-7));
+            {
+                Assert.That(motion.RateAlongZ(t),
+                    Is.EqualTo((motion.AlongZ(t + Step) - motion.AlongZ(t - Step)) / (2 * Step)).Within(1e-7));
+            }
         }
 
         [Test]

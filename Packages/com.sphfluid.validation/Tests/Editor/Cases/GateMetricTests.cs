@@ -13,7 +13,8 @@ namespace SphFluid.Tests
         [TestCase(1f, 1.1920929e-7)]
         [TestCase(-1.5f, 1.1920929e-7)]
         [TestCase(3f, 2 * 1.1920929e-7)]
-        public void UlpIsTheDistanceOfFloats(float value, double expected) => Assert.That(RelativeMotionMetric.Ulp(value), Is.EqualTo(expected).Within(1e-6).Percent);
+        public void UlpIsTheDistanceOfFloats(float value, double expected) =>
+        Assert.That(RelativeMotionMetric.Ulp(value), Is.EqualTo(expected).Within(1e-6).Percent);
 
         // dx = 1/64 m: 1e-4 dx = 1.5625e-6 m; 10 ulp at 1.5 m = 1.1921e-6 m. Of 4 particles one is moved, so the centre by a quarter.
         [TestCase(0f, 0.0)]
@@ -59,7 +60,8 @@ namespace SphFluid.Tests
             FluidSolverSettings settings = Settings();
             settings.Gravity = new Vector3(1, -10, 0);
             settings.BodyForce = new FluidBodyForce { RateSquared = new Vector3(0, 0, 4), Centre = new Vector3(0, 0, 0.5f) };
-            var particles = new[] { new FluidParticle(new Vector3(0.25f, 2, 1), new Vector3(1, 2, 2), 0), new FluidParticle(Vector3.zero, Vector3.zero, 1) };
+            var particles = new[] { new FluidParticle(new Vector3(0.25f, 2, 1), new Vector3(1, 2, 2), 0),
+                new FluidParticle(Vector3.zero, Vector3.zero, 1) };
             LiquidEnergy energy = LiquidEnergy.Of(CaseStates.State(particles, 1100), settings);
 
             double m = settings.ParticleMass, c = settings.SoundSpeed;
@@ -75,9 +77,11 @@ namespace SphFluid.Tests
         {
             FluidSolverSettings settings = Settings();
             settings.PressureClamp = clamped;
-            LiquidEnergy energy = LiquidEnergy.Of(CaseStates.State(new[] { new FluidParticle(Vector3.zero, Vector3.zero, 0) }, 800), settings);
+            LiquidEnergy energy =
+                LiquidEnergy.Of(CaseStates.State(new[] { new FluidParticle(Vector3.zero, Vector3.zero, 0) }, 800), settings);
 
-            Assert.That(energy.Elastic, Is.EqualTo(clamped ? 0 : settings.ParticleMass * Work(settings.SoundSpeed, 1000, 800)).Within(0.01).Percent);
+            Assert.That(energy.Elastic, Is.EqualTo(clamped ? 0 : settings.ParticleMass * Work(settings.SoundSpeed, 1000, 800))
+                .Within(0.01).Percent);
         }
 
         [Test]
@@ -95,7 +99,7 @@ namespace SphFluid.Tests
         }
 
         // What compresses a unit of mass: ∫ p/ρ² dρ of p = c² (ρ − ρ0), by the midpoint rule.
-        static double Work(double c, double from, double to)
+        private static double Work(double c, double from, double to)
         {
             const int Parts = 10000;
             double sum = 0, width = (to - from) / Parts;
@@ -107,14 +111,14 @@ namespace SphFluid.Tests
             return sum;
         }
 
-        static FluidSolverSettings Settings()
+        private static FluidSolverSettings Settings()
         {
             FluidSolverSettings settings = TestSettings.ByRule(Vector3.one, 0.05f);
             settings.Gravity = Vector3.zero;
             return settings;
         }
 
-        static FluidSnapshot Moving(params Vector3[] velocities) =>
+        private static FluidSnapshot Moving(params Vector3[] velocities) =>
             CaseStates.State(velocities.Select((v, i) => new FluidParticle(Vector3.zero, v, (uint)i)).ToArray());
     }
 }

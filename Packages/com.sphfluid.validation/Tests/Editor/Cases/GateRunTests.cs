@@ -6,10 +6,12 @@ using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>The gates and the ellipsoid on the GPU, coarse: what the thesis method is known to give, and what its printed form does not.</summary>
+    /// <summary>
+    /// The gates and the ellipsoid on the GPU, coarse: what the thesis method is known to give, and what its printed form does not.
+    /// </summary>
     public sealed class GateRunTests
     {
-        FluidShaderSet shaders;
+        private FluidShaderSet shaders;
 
         [SetUp]
         public void CreateShaders() => shaders = TestShaders.CreateSet();
@@ -107,7 +109,10 @@ namespace SphFluid.Tests
                 Assert.That(setup.Particles.Length * dx * dx * dx, Is.EqualTo(4.0 / 3.0 * Math.PI).Within(1e-4).Percent);
                 Assert.That(setup.Settings.SoundSpeed, Is.EqualTo(7.5f).Within(1e-4f));
                 foreach (FluidParticle p in setup.Particles)
-                    Assert.That(Vector3.Distance(p.VelT0, new Vector3(-0.25f * p.Position.x, -0.25f * p.Position.y, 0.5f * p.Position.z)), Is.LessThan(1e-6f));
+                {
+                    Assert.That(Vector3.Distance(p.VelT0, new Vector3(-0.25f * p.Position.x, -0.25f * p.Position.y, 0.5f * p.Position.z)),
+                        Is.LessThan(1e-6f));
+                }
             }
         }
 
@@ -120,18 +125,25 @@ namespace SphFluid.Tests
                 Assert.That(validationCase.Name, Does.Match("^[a-z]+(-[a-z]+)*$"));
                 Assert.That(double.IsNaN(validationCase.Limit), Is.Not.EqualTo(validationCase.IsGate), validationCase.Name);
                 foreach (CaseMethod method in CaseMethod.All.Where(m => !IsRefused(validationCase, m)))
-                    Assert.That(validationCase.Build(validationCase.Base(method)).Particles.Length, Is.InRange(100, 20000), $"{validationCase.Name}, {method.Name}");
+                {
+                    Assert.That(validationCase.Build(validationCase.Base(method)).Particles.Length, Is.InRange(100, 20000),
+                        $"{validationCase.Name}, {method.Name}");
+                }
             }
         }
 
         // A case names the method that cannot move floating bodies, sum the force on walls or hold a surface by tension.
-        static bool IsRefused(ValidationCase validationCase, CaseMethod method)
+        private static bool IsRefused(ValidationCase validationCase, CaseMethod method)
         {
-            bool lacks = validationCase is HeaveCase ? method.Name.StartsWith("thesis") : validationCase is WallImpactCase ? !method.FeelsWalls
+            bool lacks = validationCase is HeaveCase ? method.Name.StartsWith("thesis") : validationCase is WallImpactCase
+                ? !method.FeelsWalls
                 : validationCase is CapillaryDropCase && !method.HasTension;
             if (lacks)
+            {
                 Assert.That(() => validationCase.Build(validationCase.Base(method)),
-                    Throws.ArgumentException.With.Message.Contains(method.Name).Or.Message.Contains(method.Kind.ToString()), $"{validationCase.Name}, {method.Name}");
+                    Throws.ArgumentException.With.Message.Contains(method.Name).Or.Message.Contains(method.Kind.ToString()),
+                    $"{validationCase.Name}, {method.Name}");
+            }
             return lacks;
         }
 
@@ -139,16 +151,18 @@ namespace SphFluid.Tests
         [TestCase(8, 0.5, "jitter")]
         public void WhatCannotBeRunIsNamed(int resolution, double jitter, string what)
         {
-            foreach (ValidationCase validationCase in new ValidationCase[] { new EllipsoidCase(), new FreeFallCase(), new MomentumCase(), new EnergyCase() })
+            foreach (ValidationCase validationCase in new ValidationCase[] { new EllipsoidCase(), new FreeFallCase(), new MomentumCase(),
+                new EnergyCase() })
             {
                 CaseParameters parameters = validationCase.Base(CaseStates.Thesis);
                 parameters.Resolution = resolution;
                 parameters.Jitter = jitter;
-                Assert.That(() => validationCase.Build(parameters), Throws.ArgumentException.With.Message.Contains(what).And.Message.Contains(validationCase.Name));
+                Assert.That(() => validationCase.Build(parameters),
+                    Throws.ArgumentException.With.Message.Contains(what).And.Message.Contains(validationCase.Name));
             }
         }
 
-        CaseResult Momentum(CaseMethod method, int steps)
+        private CaseResult Momentum(CaseMethod method, int steps)
         {
             var momentum = new MomentumCase();
             CaseParameters parameters = WallCaseRig.Coarse(momentum, method, 8);
@@ -160,7 +174,7 @@ namespace SphFluid.Tests
             return result;
         }
 
-        CaseResult Run(ValidationCase validationCase, CaseMethod method, int resolution, double supportRatio = 2.0)
+        private CaseResult Run(ValidationCase validationCase, CaseMethod method, int resolution, double supportRatio = 2.0)
         {
             CaseParameters parameters = validationCase.Base(method);
             parameters.Resolution = resolution;

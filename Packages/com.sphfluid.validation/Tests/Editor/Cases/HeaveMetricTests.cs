@@ -8,8 +8,8 @@ namespace SphFluid.Tests
 {
     public sealed class HeaveMetricTests
     {
-        const double Interval = 1.0 / 60.0, Rest = -0.3, Draught = 0.4;
-        const int Count = 180;
+        private const double Interval = 1.0 / 60.0, Rest = -0.3, Draught = 0.4;
+        private const int Count = 180;
 
         [Test]
         public void TheExactHeaveHasNoError()
@@ -17,8 +17,7 @@ namespace SphFluid.Tests
             HeaveMetric metric = Watched(t => Heave(t));
 
             Assert.That(metric.Evaluate()[0].Name, Is.EqualTo(new HeaveCase().ErrorName));
-            foreach (CaseError error in metric.Evaluate())
-                Assert.That(error.Value, Is.Zero.Within(1e-4), error.Name);
+            foreach (CaseError error in metric.Evaluate()) Assert.That(error.Value, Is.Zero.Within(1e-4), error.Name);
             Assert.That(metric.Series()[1].Y, Is.EqualTo(metric.Series()[0].Y).Within(1e-5));
         }
 
@@ -40,7 +39,8 @@ namespace SphFluid.Tests
             Assert.That(WallCaseStates.Named(metric, "first trough, time over the exact one − 1"), Is.EqualTo(0.1).Within(2e-3));
             Assert.That(WallCaseStates.Named(metric, "first crest, time over the exact one − 1"), Is.EqualTo(0.1).Within(2e-3));
             double offset = WallCaseStates.Named(metric, "floats too high, over the draught") * Draught;
-            Assert.That(WallCaseStates.Named(metric, "first trough, depth over the exact one − 1"), Is.EqualTo(-0.2 - offset / Heave(0.75)).Within(0.01));
+            Assert.That(WallCaseStates.Named(metric, "first trough, depth over the exact one − 1"),
+                Is.EqualTo(-0.2 - offset / Heave(0.75)).Within(0.01));
             Assert.That(metric.Evaluate()[0].Value, Is.GreaterThan(0.2));
         }
 
@@ -55,13 +55,15 @@ namespace SphFluid.Tests
         public void AHeaveWithoutTurnsHasNoTimes() =>
             Assert.That(WallCaseStates.Named(Watched(t => 0.01), "first trough, time over the exact one − 1"), Is.NaN.Or.Not.EqualTo(0.0));
 
-        static double Heave(double t) => 0.1 * Math.Exp(-0.4 * t) * Math.Cos(2.0 * Math.PI * t / 1.5);
+        private static double Heave(double t) => 0.1 * Math.Exp(-0.4 * t) * Math.Cos(2.0 * Math.PI * t / 1.5);
 
-        static HeaveMetric Watched(Func<double, double> heave)
+        private static HeaveMetric Watched(Func<double, double> heave)
         {
             var metric = new HeaveMetric(Enumerable.Range(0, Count).Select(i => Heave(i * Interval)).ToArray(), Interval, Rest, Draught);
             for (int i = 0; i < Count; i++)
+            {
                 metric.Read(i * Interval, new CaseReadings(new[] { new Vector3(0.01f, (float)(Rest + heave(i * Interval)), 0f) }));
+            }
             return metric;
         }
     }

@@ -72,8 +72,7 @@ namespace SphFluid.Tests
                     full[i, j] = full[j, i] = value;
                 }
             var x = new double[Count];
-            for (int i = 0; i < Count; i++)
-                full[i, Count] = x[i] = random.NextDouble();
+            for (int i = 0; i < Count; i++) full[i, Count] = x[i] = random.NextDouble();
             banded.Factor();
             banded.Solve(x);
             Assert.That(x, Is.EqualTo(LinearSystem.Solve(full)).Within(1e-12));
@@ -90,6 +89,7 @@ namespace SphFluid.Tests
         }
 
         // The case's own tank, so many cells to a twentieth of the depth.
-        static IReadOnlyList<double> Case(int fine) => new HeaveTank(40 * fine, 20 * fine, 8 * fine, 8 * fine, 0.05 / fine, 9.81).Release(0.1, 3.0, 1.0 / 60.0);
+        private static IReadOnlyList<double> Case(int fine) =>
+            new HeaveTank(40 * fine, 20 * fine, 8 * fine, 8 * fine, 0.05 / fine, 9.81).Release(0.1, 3.0, 1.0 / 60.0);
     }
 }

@@ -7,8 +7,8 @@ namespace SphFluid.Tests
 {
     public sealed class HydrostaticMetricTests
     {
-        const int Layers = 20, Layer = 9;
-        const double Depth = 1, Gravity = 9.81, Begin = 1;
+        private const int Layers = 20, Layer = 9;
+        private const double Depth = 1, Gravity = 9.81, Begin = 1;
 
         [Test]
         public void ExactPressureHasNoError([Values(false, true)] bool half)
@@ -17,10 +17,12 @@ namespace SphFluid.Tests
             HydrostaticMetric metric = Watched(settings, 1, d => 1000 * Gravity * d, 0, 1000);
 
             Assert.That(metric.Evaluate()[0].Name, Is.EqualTo("slope of the pressure that pushes"));
-            Assert.That(metric.Evaluate()[0].Value, Is.EqualTo(half ? 0.5 : 0).Within(1e-5), "with the half, half of the weight has no support");
+            Assert.That(metric.Evaluate()[0].Value, Is.EqualTo(half ? 0.5 : 0).Within(1e-5),
+                "with the half, half of the weight has no support");
             Assert.That(WallCaseStates.Named(metric, "slope/(ρg), as read"), Is.EqualTo(1).Within(1e-5));
             Assert.That(WallCaseStates.Named(metric, "slope/(ρg), as it pushes"), Is.EqualTo(half ? 0.5 : 1).Within(1e-5));
-            Assert.That(WallCaseStates.Named(metric, HydrostaticMetric.FaceName), Is.EqualTo(half ? 0.5 : 1).Within(0.05), "read most of a spacing above the floor");
+            Assert.That(WallCaseStates.Named(metric, HydrostaticMetric.FaceName), Is.EqualTo(half ? 0.5 : 1).Within(0.05),
+                "read most of a spacing above the floor");
             Assert.That(metric.Evaluate().Count, Is.EqualTo(7), "no edges between periodic sides");
             Assert.That(WallCaseStates.Named(metric, "height lost beyond the equation of state's"), Is.Zero.Within(1e-5));
             Assert.That(WallCaseStates.Named(metric, "v_rms/√(gH)"), Is.Zero);
@@ -47,7 +49,8 @@ namespace SphFluid.Tests
             FluidSolverSettings settings = Settings(false, 25 * Gravity * Depth);
             HydrostaticMetric metric = Watched(settings, 0.95, d => 0, 0.02f, 1030);
 
-            Assert.That(WallCaseStates.Named(metric, "height lost beyond the equation of state's"), Is.EqualTo(0.98052 - 0.95).Within(0.05 / 30));
+            Assert.That(WallCaseStates.Named(metric, "height lost beyond the equation of state's"),
+                Is.EqualTo(0.98052 - 0.95).Within(0.05 / 30));
             Assert.That(WallCaseStates.Named(metric, "v_rms/√(gH)"), Is.EqualTo(0.02 / Math.Sqrt(Gravity)).Within(1e-6));
             Assert.That(WallCaseStates.Named(metric, "mean |ρ/ρ0 − 1|"), Is.EqualTo(0.03).Within(1e-6));
         }
@@ -99,8 +102,7 @@ namespace SphFluid.Tests
             // Layers with more particles lie farther apart; one particle flies.
             int layer = 100, crowded = (int)(crowding * layer);
             var heights = new double[10 * crowded + 1];
-            for (int i = 0; i < 10 * crowded; i++)
-                heights[i] = (i / crowded + 0.5) * crowding;
+            for (int i = 0; i < 10 * crowded; i++) heights[i] = (i / crowded + 0.5) * crowding;
             heights[10 * crowded] = 30;
 
             Assert.That(LiquidSurface.Height(heights, layer, 1), Is.EqualTo(10 * crowding).Within(crowding == 1f ? 1e-6 : 0.15));
@@ -130,7 +132,7 @@ namespace SphFluid.Tests
             Assert.That(metric.Evaluate()[0].Value, Is.NaN);
         }
 
-        static FluidSolverSettings Settings(bool half, double soundSquared) => new FluidSolverSettings
+        private static FluidSolverSettings Settings(bool half, double soundSquared) => new FluidSolverSettings
         {
             DomainSize = new Vector3(0.15f, 1.2f, 0.15f),
             Boundaries = new FluidBoundaries { Periodic = FluidAxes.X | FluidAxes.Z },
@@ -141,16 +143,16 @@ namespace SphFluid.Tests
             Gravity = new Vector3(0, -(float)Gravity, 0),
         }.WithOwn(new ThesisSettings { PressureHalf = half, Stiffness = (float)(half ? 2 * soundSquared : soundSquared) });
 
-        static HydrostaticMetric Watched(in FluidSolverSettings settings, double height, Func<double, double> pressure, float speed, double density)
+        private static HydrostaticMetric Watched(in FluidSolverSettings settings, double height, Func<double, double> pressure, float speed,
+            double density)
         {
             var metric = new HydrostaticMetric(settings, Depth, Layer, Begin);
-            for (int s = 0; s < 6; s++)
-                metric.Sample(0.4 * s, Column(height, pressure, speed, density));
+            for (int s = 0; s < 6; s++) metric.Sample(0.4 * s, Column(height, pressure, speed, density));
             return metric;
         }
 
         // Layers in equal steps from the floor at y = −0.6 to a surface at height, half a spacing above the last.
-        static FluidSnapshot Column(double height, Func<double, double> pressure, float speed, double density)
+        private static FluidSnapshot Column(double height, Func<double, double> pressure, float speed, double density)
         {
             double top = height - 0.5 * Depth / Layers;
             double Above(int i) => 0.5 * Depth / Layers + (top - 0.5 * Depth / Layers) * (i / Layer) / (Layers - 1);

@@ -6,9 +6,11 @@ using UnityEngine;
 namespace SphFluid.Tests
 {
     /// <summary>States with a known front, a known height at the closed end and known heights at gauges.</summary>
-    static class ImpactCaseStates
+    internal static class ImpactCaseStates
     {
-        /// <summary>A layer on the floor out to a front, and six rows at the closed end up to a height; rows are evenly spaced, by dx or less.</summary>
+        /// <summary>
+        /// A layer on the floor out to a front, and six rows at the closed end up to a height; rows are evenly spaced, by dx or less.
+        /// </summary>
         public static List<Vector3> Fallen(Vector3 domain, double front, double height, double spacing, int slabRows)
         {
             var positions = new List<Vector3>();
@@ -16,9 +18,16 @@ namespace SphFluid.Tests
             for (int z = 0; z < slabRows; z++)
             {
                 for (int i = 0; i < along; i++)
-                    positions.Add(new Vector3((float)Even(i, along, front, spacing), (float)(0.5 * spacing), (float)((z + 0.5) * spacing)) - 0.5f * domain);
+                {
+                    positions.Add(new Vector3((float)Even(i, along, front, spacing), (float)(0.5 * spacing), (float)((z + 0.5) * spacing)) -
+                        0.5f * domain);
+                }
                 for (int i = 6; i < 6 * up; i++)
-                    positions.Add(new Vector3((float)((i % 6 + 0.5) * spacing), (float)Even(i / 6, up, height, spacing), (float)((z + 0.5) * spacing)) - 0.5f * domain);
+                {
+                    positions
+                        .Add(new Vector3((float)((i % 6 + 0.5) * spacing), (float)Even(i / 6, up, height, spacing),
+                            (float)((z + 0.5) * spacing)) - 0.5f * domain);
+                }
             }
             return positions;
         }
@@ -42,7 +51,7 @@ namespace SphFluid.Tests
         public static FluidSnapshot State(IReadOnlyList<Vector3> positions) => WallCaseStates.State(positions.Count, i => positions[i]);
 
         // From half a spacing to half a spacing before the end.
-        static double Even(int i, int count, double length, double spacing) =>
+        private static double Even(int i, int count, double length, double spacing) =>
             0.5 * spacing + (count == 1 ? 0.0 : i * (length - spacing) / (count - 1));
     }
 }

@@ -20,7 +20,8 @@ namespace SphFluid.Tests
             double a = MartinMoyce.Width, dx = setup.Settings.Spacing;
             Assert.That(dx, Is.EqualTo(a / resolution).Within(1e-8));
             Assert.That(metric.Series()[2].Y[0], Is.EqualTo(1.0).Within(1e-5));
-            // c² = 25 · 2 g · 2a = 50 g · 2a: it stands 1/100 lower at first order, 50 ln 1.02 = 0.9901, and the top layer is not compressed.
+            // c² = 25 · 2 g · 2a = 50 g · 2a: it stands 1/100 lower at first order, 50 ln 1.02 = 0.9901, and the top layer is not
+            // compressed.
             Assert.That(metric.Series().Last().Y[0], Is.EqualTo(50.0 * System.Math.Log(1.02)).Within(0.02 / resolution));
             Assert.That(setup.Particles.Length * dx * dx * dx, Is.EqualTo(2.0 * a * a * setup.Settings.DomainSize.z).Within(1e-5).Percent);
             Assert.That(setup.Settings.DomainSize.z, Is.GreaterThanOrEqualTo(3f * setup.Settings.SupportRadius * 0.99999f));
@@ -56,7 +57,9 @@ namespace SphFluid.Tests
 
             double volume = 0;
             for (int i = 0; i < corners.Length; i += 3)
+            {
                 volume += Vector3.Dot(corners[i], Vector3.Cross(corners[i + 1], corners[i + 2])) / 6.0;
+            }
             // Positive: the faces look outward.
             Assert.That(volume, Is.EqualTo(0.161 * 0.161 * 0.403).Within(1e-5));
             Assert.That(corners.Min(c => c.x) + 1.61, Is.EqualTo(0.744 - 0.0805).Within(1e-6));
@@ -96,6 +99,6 @@ namespace SphFluid.Tests
             return parameters;
         }
 
-        static FluidSnapshot Start(CaseSetup setup) => ImpactCaseStates.State(setup.Particles.Select(p => p.Position).ToList());
+        private static FluidSnapshot Start(CaseSetup setup) => ImpactCaseStates.State(setup.Particles.Select(p => p.Position).ToList());
     }
 }

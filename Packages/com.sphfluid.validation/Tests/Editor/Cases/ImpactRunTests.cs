@@ -51,15 +51,14 @@ namespace SphFluid.Tests
         }
 
         // Counts particles over all samples: nearer to the box than a spacing, and in it.
-        sealed class BoxWatch : CaseMetric
+        private sealed class BoxWatch : CaseMetric
         {
-            readonly Bounds box, near;
+            private readonly Bounds box, near;
 
             public BoxWatch(CaseSetup setup)
             {
                 box = new Bounds(setup.Obstacles[0][0], Vector3.zero);
-                foreach (Vector3 corner in setup.Obstacles[0])
-                    box.Encapsulate(corner);
+                foreach (Vector3 corner in setup.Obstacles[0]) box.Encapsulate(corner);
                 near = new Bounds(box.center, box.size + 2f * setup.Settings.Spacing * Vector3.one);
                 box.Expand(-0.2f * setup.Settings.Spacing);
             }
@@ -77,7 +76,8 @@ namespace SphFluid.Tests
                 }
             }
 
-            public override IReadOnlyList<CaseError> Evaluate() => new[] { new CaseError("samples in the box", Inside), new CaseError("samples near it", Near) };
+            public override IReadOnlyList<CaseError> Evaluate() =>
+                new[] { new CaseError("samples in the box", Inside), new CaseError("samples near it", Near) };
         }
     }
 }

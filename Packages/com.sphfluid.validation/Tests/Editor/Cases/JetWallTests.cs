@@ -37,7 +37,8 @@ namespace SphFluid.Tests
 
         [Test]
         public void TheMiddleHasTheStagnationPressure() =>
-            Assert.That(JetWall.Pressure(JetWall.Strips / 2), Is.EqualTo(JetWall.Pressure(JetWall.Strips / 2 - 1)).Within(1e-12).And.InRange(0.98, 1.0));
+            Assert.That(JetWall.Pressure(JetWall.Strips / 2),
+                Is.EqualTo(JetWall.Pressure(JetWall.Strips / 2 - 1)).Within(1e-12).And.InRange(0.98, 1.0));
 
         [Test]
         public void PatchesLieOnTheWallSideBySide()

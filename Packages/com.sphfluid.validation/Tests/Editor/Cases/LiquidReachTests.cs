@@ -6,8 +6,8 @@ namespace SphFluid.Tests
 {
     public sealed class LiquidReachTests
     {
-        const int Row = 4;
-        const double Spacing = 0.5;
+        private const int Row = 4;
+        private const double Spacing = 0.5;
 
         [TestCase(1)]
         [TestCase(2)]
@@ -24,8 +24,7 @@ namespace SphFluid.Tests
         public void SprayDoesNotCount([Range(1, Row - 1)] int flying, [Values(1.6, 2.5, 9.0)] double ahead)
         {
             List<double> distances = Rows(6);
-            for (int i = 0; i < flying; i++)
-                distances.Add((5.5 + ahead) * Spacing);
+            for (int i = 0; i < flying; i++) distances.Add((5.5 + ahead) * Spacing);
 
             LiquidReach reach = LiquidReach.Of(distances, Row, Spacing);
 
@@ -58,12 +57,11 @@ namespace SphFluid.Tests
         }
 
         // Shuffled: the order must not matter.
-        static List<double> Rows(int rows)
+        private static List<double> Rows(int rows)
         {
             var distances = new List<double>();
             for (int i = 0; i < Row; i++)
-                for (int row = rows - 1; row >= 0; row--)
-                    distances.Add((row + 0.5) * Spacing);
+                for (int row = rows - 1; row >= 0; row--) distances.Add((row + 0.5) * Spacing);
             return distances;
         }
     }

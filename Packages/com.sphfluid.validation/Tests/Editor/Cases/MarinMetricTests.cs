@@ -8,8 +8,8 @@ namespace SphFluid.Tests
 {
     public sealed class MarinMetricTests
     {
-        const double Spacing = 0.001; // the record's digits are whole layers
-        static readonly Vector3 tank = new Vector3(3.22f, 1f, 1f);
+        private const double Spacing = 0.001; // the record's digits are whole layers
+        private static readonly Vector3 tank = new Vector3(3.22f, 1f, 1f);
 
         [Test]
         public void TheRecordHasNoError()
@@ -18,8 +18,7 @@ namespace SphFluid.Tests
 
             Assert.That(metric.Evaluate()[0].Name, Is.EqualTo(new MarinCase().ErrorName));
             Assert.That(metric.Evaluate().Count, Is.EqualTo(6));
-            foreach (CaseError error in metric.Evaluate())
-                Assert.That(error.Value, Is.Zero.Within(1e-3), error.Name);
+            foreach (CaseError error in metric.Evaluate()) Assert.That(error.Value, Is.Zero.Within(1e-3), error.Name);
         }
 
         [Test]
@@ -28,7 +27,10 @@ namespace SphFluid.Tests
             MarinMetric metric = Watched((gauge, row) => MarinHeights.Heights[gauge][row]);
             metric.Read(0.0, new CaseReadings(Array.Empty<Vector3>(), new[] { double.NaN, double.NaN }));
             for (int i = 0; i < MarinPressures.Front.Length; i++)
-                metric.Read((i + 1) * MarinPressures.Interval, new CaseReadings(Array.Empty<Vector3>(), new[] { MarinPressures.Front[i], 1.2 * MarinPressures.Top[i] }));
+            {
+                metric.Read((i + 1) * MarinPressures.Interval,
+                    new CaseReadings(Array.Empty<Vector3>(), new[] { MarinPressures.Front[i], 1.2 * MarinPressures.Top[i] }));
+            }
 
             Assert.That(metric.Evaluate().Count, Is.EqualTo(10));
             Assert.That(WallCaseStates.Named(metric, "pressure on the front of the box, normalised RMS"), Is.Zero.Within(1e-12));
@@ -41,7 +43,8 @@ namespace SphFluid.Tests
         public void TheRecordsOfPressureHaveTheHitAndTheLevel()
         {
             Assert.That(MarinPressures.Front, Has.Length.EqualTo(120).And.Length.EqualTo(MarinPressures.Top.Length));
-            Assert.That(Array.FindIndex(MarinPressures.Front, p => p > 1000.0) * MarinPressures.Interval, Is.EqualTo(0.4).Within(1e-9), "P1 rises at 0.41 s");
+            Assert.That(Array.FindIndex(MarinPressures.Front, p => p > 1000.0) * MarinPressures.Interval, Is.EqualTo(0.4).Within(1e-9),
+                "P1 rises at 0.41 s");
             // ρ g (level − middle of the box) at the end, the level that of the gauges beside it.
             double level = 0.5 * (MarinHeights.Heights[0][120] + MarinHeights.Heights[1][120]);
             Assert.That(MarinPressures.Front[119], Is.EqualTo(1000.0 * 9.81 * (level - 0.0805)).Within(25).Percent);
@@ -54,7 +57,9 @@ namespace SphFluid.Tests
 
             Assert.That(metric.Evaluate()[0].Value, Is.EqualTo(0.025).Within(1e-3));
             for (int gauge = 0; gauge < 4; gauge++)
+            {
                 Assert.That(metric.Evaluate()[1 + gauge].Value, Is.EqualTo(gauge == wrong ? 0.1 : 0.0).Within(1e-3));
+            }
         }
 
         [Test]
@@ -99,8 +104,7 @@ namespace SphFluid.Tests
             var positions = new List<Vector3>();
             for (int y = 0; y < 4; y++)
                 for (int z = -4; z <= 4; z++)
-                    for (int x = -4; x <= 4; x++)
-                        positions.Add(At(1.488 + (x + moved) * 0.05, (y + 0.5) * 0.05, (z + 0.4 * moved) * 0.05));
+                    for (int x = -4; x <= 4; x++) positions.Add(At(1.488 + (x + moved) * 0.05, (y + 0.5) * 0.05, (z + 0.4 * moved) * 0.05));
             var metric = new MarinMetric(Settings(0.05));
 
             metric.Sample(0.0, ImpactCaseStates.State(positions));
@@ -118,7 +122,8 @@ namespace SphFluid.Tests
             Assert.That(metric.Evaluate()[0].Value, Is.NaN);
         }
 
-        // Kleefsman's record by gauges: 2 cm is passed in the order of the distance from the water; the means over 20 ms of another reduction.
+        // Kleefsman's record by gauges: 2 cm is passed in the order of the distance from the water; the means over 20 ms of another
+        // reduction.
         [Test]
         public void TheTableHasItsColumnsByPlace()
         {
@@ -137,23 +142,24 @@ namespace SphFluid.Tests
             }
         }
 
-        static int Passed(int gauge) => Array.FindIndex(MarinHeights.Heights[gauge], height => height > 0.02);
+        private static int Passed(int gauge) => Array.FindIndex(MarinHeights.Heights[gauge], height => height > 0.02);
 
-        static MarinMetric Watched(Func<int, int, double> height)
+        private static MarinMetric Watched(Func<int, int, double> height)
         {
             var metric = new MarinMetric(Settings(Spacing));
             for (int row = 0; row < MarinHeights.Rows; row++)
             {
                 var heights = new double[MarinHeights.Gauges.Length];
-                for (int gauge = 0; gauge < heights.Length; gauge++)
-                    heights[gauge] = height(gauge, row);
+                for (int gauge = 0; gauge < heights.Length; gauge++) heights[gauge] = height(gauge, row);
                 metric.Sample(row * MarinHeights.Interval, ImpactCaseStates.State(ImpactCaseStates.Columns(tank, heights, Spacing)));
             }
             return metric;
         }
 
-        static Vector3 At(double x, double y, double z) => new Vector3((float)x, (float)y, (float)z) - new Vector3(0.5f * tank.x, 0.5f * tank.y, 0f);
+        private static Vector3 At(double x, double y, double z) => new Vector3((float)x, (float)y, (float)z) -
+            new Vector3(0.5f * tank.x, 0.5f * tank.y, 0f);
 
-        static FluidSolverSettings Settings(double spacing) => new FluidSolverSettings { DomainSize = tank, Spacing = (float)spacing };
+        private static FluidSolverSettings Settings(double spacing) =>
+            new FluidSolverSettings { DomainSize = tank, Spacing = (float)spacing };
     }
 }

@@ -3,16 +3,21 @@ using SphFluid.Validation;
 
 namespace SphFluid.Tests
 {
-    /// <summary>What the Robust method is good for, case by case and coarse. It is soft and damps, which its limits show; gates are those of all methods.</summary>
+    /// <summary>
+    /// What the Robust method is good for, case by case and coarse. It is soft and damps, which its limits show; gates are those of all
+    /// methods.
+    /// </summary>
     public sealed class RobustCaseRunTests
     {
-        static readonly CaseMethod Robust = CaseMethod.Find("robust");
+        private static readonly CaseMethod Robust = CaseMethod.Find("robust");
 
         [Test]
         public void GatesHold()
         {
             foreach (ValidationCase gate in new ValidationCase[] { new FreeFallCase(), new MomentumCase(), new EnergyCase() })
+            {
                 Assert.That(Run(gate, Coarse(gate, 8), out _), Is.LessThan(gate.Limit), gate.Name);
+            }
         }
 
         [Test]
@@ -32,7 +37,9 @@ namespace SphFluid.Tests
         public void ChannelsStartUpWithTheViscosityThatIsSet()
         {
             foreach (ChannelCase channel in new ChannelCase[] { new PoiseuilleCase(), new CouetteCase() })
+            {
                 Assert.That(WallCaseRig.StartUpError(channel, Coarse(channel, 8)), Is.LessThan(0.03), channel.Name);
+            }
         }
 
         [Test]
@@ -51,8 +58,10 @@ namespace SphFluid.Tests
             Assert.That(WallCaseStates.Named(metric, MomentumMetric.ErrorName), Is.LessThan(1e-5));
         }
 
-        static CaseParameters Coarse(ValidationCase validationCase, int resolution) => WallCaseRig.Coarse(validationCase, Robust, resolution);
+        private static CaseParameters Coarse(ValidationCase validationCase, int resolution) =>
+            WallCaseRig.Coarse(validationCase, Robust, resolution);
 
-        static double Run(ValidationCase validationCase, CaseParameters parameters, out CaseMetric metric) => WallCaseRig.MainError(validationCase, parameters, out metric);
+        private static double Run(ValidationCase validationCase, CaseParameters parameters, out CaseMetric metric) =>
+            WallCaseRig.MainError(validationCase, parameters, out metric);
     }
 }

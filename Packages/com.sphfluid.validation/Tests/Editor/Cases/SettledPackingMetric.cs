@@ -6,16 +6,16 @@ using UnityEngine;
 namespace SphFluid.Tests
 {
     /// <summary>
-    /// What the sums of a column at rest make of a vertical gradient: M = Σ_j m/ρ_j y² (−W'/r) of the particles as they lie, over the rest lattice's
-    /// M by which the method Standard divides its forces, in the mean over the particles that the slope of the pressure is fitted to.
-    /// Two particles push with p_i/ρ_i² + p_j/ρ_j², so a plane between them bears M times the pressure that they read.
+    /// What the sums of a column at rest make of a vertical gradient: M = Σ_j m/ρ_j y² (−W'/r) of the particles as they lie, over the rest
+    /// lattice's M by which the method Standard divides its forces, in the mean over the particles that the slope of the pressure is fitted
+    /// to. Two particles push with p_i/ρ_i² + p_j/ρ_j², so a plane between them bears M times the pressure that they read.
     /// </summary>
-    sealed class SettledPackingMetric : CaseMetric
+    internal sealed class SettledPackingMetric : CaseMetric
     {
-        readonly FluidSolverSettings settings;
-        readonly double begin;
-        double sum, across;
-        long count;
+        private readonly FluidSolverSettings settings;
+        private readonly double begin;
+        private double sum, across;
+        private long count;
 
         public SettledPackingMetric(in FluidSolverSettings settings, double begin)
         {
@@ -31,26 +31,25 @@ namespace SphFluid.Tests
 
         public override void Sample(double time, FluidSnapshot state)
         {
-            if (time < begin)
-                return;
-            double radius = settings.SupportRadius, edge = 3.0 * settings.Spacing, floor = -0.5 * settings.DomainSize.y, top = double.MinValue;
-            foreach (Vector3 position in state.LocalPositions)
-                top = Math.Max(top, position.y);
+            if (time < begin) return;
+            double radius = settings.SupportRadius, edge = 3.0 * settings.Spacing, floor = -0.5 * settings.DomainSize.y,
+                top = double.MinValue;
+            foreach (Vector3 position in state.LocalPositions) top = Math.Max(top, position.y);
             double factor = Slope(radius) * settings.ParticleMass / LatticeMoment(settings.SupportRadius / settings.Spacing);
             Vector3 period = settings.PeriodLength;
             for (int i = 0; i < state.Count; i++)
             {
                 Vector3 at = state.LocalPositions[i];
-                if (at.y - floor < edge || top - at.y < edge)
-                    continue;
+                if (at.y - floor < edge || top - at.y < edge) continue;
                 count++;
                 for (int j = 0; j < state.Count; j++)
                 {
                     Vector3 d = state.LocalPositions[j] - at;
-                    if (Math.Abs(d.y) >= radius)
-                        continue;
+                    if (Math.Abs(d.y) >= radius) continue;
                     for (int axis = 0; axis < 3; axis++)
+                    {
                         d[axis] -= period[axis] > 0f ? period[axis] * Mathf.Round(d[axis] / period[axis]) : 0f;
+                    }
                     double push = factor * Math.Pow(Math.Max(0.0, 1.0 - d.magnitude / radius), 3.0) / state.Densities[j];
                     sum += push * d.y * d.y;
                     across += 0.5 * push * ((double)d.x * d.x + (double)d.z * d.z);
@@ -59,7 +58,7 @@ namespace SphFluid.Tests
         }
 
         // Of the simple cubic lattice with dx = 1, over the kernel's own sum.
-        static double LatticeMoment(double radius)
+        private static double LatticeMoment(double radius)
         {
             int reach = (int)Math.Ceiling(radius);
             double moment = 0.0, kernels = 0.0;
@@ -75,8 +74,9 @@ namespace SphFluid.Tests
         }
 
         // −W'/r of Wendland's C2 kernel is this (1 − q)³.
-        static double Slope(double radius) => 210.0 / (Math.PI * Math.Pow(radius, 5.0));
+        private static double Slope(double radius) => 210.0 / (Math.PI * Math.Pow(radius, 5.0));
 
-        public override IReadOnlyList<CaseError> Evaluate() => new[] { new CaseError("moment", Moment), new CaseError("moment across", MomentAcross) };
+        public override IReadOnlyList<CaseError> Evaluate() =>
+            new[] { new CaseError("moment", Moment), new CaseError("moment across", MomentAcross) };
     }
 }

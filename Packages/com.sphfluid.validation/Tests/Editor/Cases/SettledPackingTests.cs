@@ -4,10 +4,13 @@ using SphFluid.Validation;
 
 namespace SphFluid.Tests
 {
-    /// <summary>Why a column at rest reads a slope of the pressure that is more than a per cent off, however fine it is: κ 2.25, the method Standard.</summary>
+    /// <summary>
+    /// Why a column at rest reads a slope of the pressure that is more than a per cent off, however fine it is: κ 2.25, the method
+    /// Standard.
+    /// </summary>
     public sealed class SettledPackingTests
     {
-        FluidShaderSet shaders;
+        private FluidShaderSet shaders;
 
         [SetUp]
         public void CreateShaders() => shaders = TestShaders.CreateSet();
@@ -22,7 +25,7 @@ namespace SphFluid.Tests
         [Explicit("The case at its own size, which tells that the packing does not go with the spacing: a minute.")]
         public void SoItIsInTheWholeCase() => Check(20, 15.0, 20.0);
 
-        void Check(int resolution, double begin, double end)
+        private void Check(int resolution, double begin, double end)
         {
             var flow = new HydrostaticCase();
             CaseParameters parameters = flow.Base(CaseMethod.Find("standard"));
@@ -38,13 +41,14 @@ namespace SphFluid.Tests
             Assert.That(settled.Moment, Is.EqualTo(0.986).Within(0.002), "at any spacing");
             Assert.That(read * settled.Moment, Is.EqualTo(1).Within(0.006), "the forces balance");
             Assert.That(WallCaseStates.Named(slope, HydrostaticMetric.FaceName), Is.EqualTo(1).Within(0.1));
-            Assert.That(WallCaseStates.Named(slope, "height lost beyond the equation of state's"), Is.Zero.Within(0.3 / resolution), "of a spacing");
+            Assert.That(WallCaseStates.Named(slope, "height lost beyond the equation of state's"), Is.Zero.Within(0.3 / resolution),
+                "of a spacing");
             Assert.That(WallCaseStates.Named(slope, "v_rms/√(gH)"), Is.LessThan(0.02));
         }
 
-        sealed class Both : CaseMetric
+        private sealed class Both : CaseMetric
         {
-            readonly CaseMetric first, second;
+            private readonly CaseMetric first, second;
 
             public Both(CaseMetric first, CaseMetric second) => (this.first, this.second) = (first, second);
 

@@ -7,7 +7,7 @@ namespace SphFluid.Tests
     /// <summary>A snapshot's velocities are those at the time of its positions, whatever the lengths of the steps.</summary>
     public sealed class SnapshotVelocityTests
     {
-        static readonly Vector3 Gravity = new Vector3(0.5f, -9.81f, 0);
+        private static readonly Vector3 Gravity = new Vector3(0.5f, -9.81f, 0);
 
         [TestCase(0, 1f)]
         [TestCase(1, 1f)]
@@ -30,7 +30,8 @@ namespace SphFluid.Tests
 
                 Assert.That(t, Is.EqualTo((steps + 3 * ratio) * 0.01f).Within(1e-6f));
                 Assert.That(Vector3.Distance(state.Velocities[0], start + t * Gravity), Is.LessThan(3e-6f));
-                Assert.That(Vector3.Distance(state.LocalPositions[0], new Vector3(-0.3f, 0, 0.1f) + t * start + 0.5f * t * t * Gravity), Is.LessThan(0.0003f));
+                Assert.That(Vector3.Distance(state.LocalPositions[0], new Vector3(-0.3f, 0, 0.1f) + t * start + 0.5f * t * t * Gravity),
+                    Is.LessThan(0.0003f));
             }
             Object.DestroyImmediate(shaders);
         }

@@ -6,7 +6,7 @@ namespace SphFluid.Tests
     /// <summary>What the Standard method is good for, case by case: coarse where the limit holds there too.</summary>
     public sealed class StandardCaseRunTests
     {
-        static readonly CaseMethod Standard = CaseMethod.Find("standard");
+        private static readonly CaseMethod Standard = CaseMethod.Find("standard");
 
         [TestCase(2.25, 0.075)]
         [TestCase(2.5, 0.045)]
@@ -22,7 +22,9 @@ namespace SphFluid.Tests
         public void ChannelsStartUp()
         {
             foreach (ChannelCase channel in new ChannelCase[] { new PoiseuilleCase(), new CouetteCase() })
+            {
                 Assert.That(WallCaseRig.StartUpError(channel, Coarse(channel, 8)), Is.LessThan(0.03), channel.Name);
+            }
         }
 
         [Test]
@@ -41,8 +43,7 @@ namespace SphFluid.Tests
             Run(marin, Coarse(marin, 5), out CaseMetric metric);
             foreach (CaseError error in metric.Evaluate())
             {
-                if (error.Name.StartsWith("height at"))
-                    Assert.That(error.Value, Is.LessThan(0.35), error.Name);
+                if (error.Name.StartsWith("height at")) Assert.That(error.Value, Is.LessThan(0.35), error.Name);
             }
         }
 
@@ -60,7 +61,9 @@ namespace SphFluid.Tests
         public void MomentumStaysAndEnergyDoesNotGrow()
         {
             foreach (ValidationCase gate in new ValidationCase[] { new MomentumCase(), new EnergyCase() })
+            {
                 Assert.That(Run(gate, Coarse(gate, 8), out _), Is.LessThan(gate.Limit), gate.Name);
+            }
         }
 
         [Test]
@@ -96,11 +99,15 @@ namespace SphFluid.Tests
         public void CasesSweepAboutTheMethodsOwnSupport(string method, double supportRatio)
         {
             foreach (ValidationCase validationCase in CaseCatalogue.All)
+            {
                 Assert.That(validationCase.Base(CaseMethod.Find(method)).SupportRatio, Is.EqualTo(supportRatio), validationCase.Name);
+            }
         }
 
-        static CaseParameters Coarse(ValidationCase validationCase, int resolution) => WallCaseRig.Coarse(validationCase, Standard, resolution);
+        private static CaseParameters Coarse(ValidationCase validationCase, int resolution) =>
+            WallCaseRig.Coarse(validationCase, Standard, resolution);
 
-        static double Run(ValidationCase validationCase, CaseParameters parameters, out CaseMetric metric) => WallCaseRig.MainError(validationCase, parameters, out metric);
+        private static double Run(ValidationCase validationCase, CaseParameters parameters, out CaseMetric metric) =>
+            WallCaseRig.MainError(validationCase, parameters, out metric);
     }
 }

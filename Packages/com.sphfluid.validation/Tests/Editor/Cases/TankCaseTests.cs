@@ -9,9 +9,9 @@ namespace SphFluid.Tests
     /// <summary>Tanks, box and jet: how they start, and coarse runs of the Standard method.</summary>
     public sealed class TankCaseTests
     {
-        static readonly CaseMethod standard = CaseMethod.Find("standard");
+        private static readonly CaseMethod standard = CaseMethod.Find("standard");
 
-        static IEnumerable<ValidationCase> Cases()
+        private static IEnumerable<ValidationCase> Cases()
         {
             yield return new AcceleratedTankCase();
             yield return new PaddleCase();
@@ -22,7 +22,8 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void SetupsCanBeRun([ValueSource(nameof(Cases))] ValidationCase flow, [Values(10)] int resolution, [Values(2.0, 2.5)] double supportRatio)
+        public void SetupsCanBeRun([ValueSource(nameof(Cases))] ValidationCase flow, [Values(10)] int resolution,
+            [Values(2.0, 2.5)] double supportRatio)
         {
             foreach (CaseMethod method in CaseMethod.All.Where(m => Runs(flow, m)))
             {
@@ -46,14 +47,18 @@ namespace SphFluid.Tests
             Assert.That(bottom - under.Max(), Is.InRange(0.4 * dx, 0.6 * dx));
             Assert.That(setup.Particles.Count(p => Mathf.Abs(p.Position.x) < bounds.max.x + 0.4 * dx && p.Position.y > bottom), Is.Zero);
             int draught = Mathf.RoundToInt(0.4f * resolution);
-            Assert.That(box.Mass, Is.EqualTo(setup.Settings.ParticleMass * 2 * draught * draught * setup.Settings.DomainSize.z / dx).Within(0.01).Percent);
+            Assert.That(box.Mass, Is.EqualTo(setup.Settings.ParticleMass * 2 * draught * draught * setup.Settings.DomainSize.z / dx)
+                .Within(0.01).Percent);
         }
 
         [Test]
         public void MethodsThatLackWhatACaseIsAboutAreNamed([ValueSource(nameof(Cases))] ValidationCase flow)
         {
             foreach (CaseMethod method in CaseMethod.All.Where(m => !Runs(flow, m)))
-                Assert.That(() => flow.Build(flow.Base(method)), Throws.ArgumentException.With.Message.Contains(flow is HeaveCase ? "moves no bodies" : method.Name));
+            {
+                Assert.That(() => flow.Build(flow.Base(method)),
+                    Throws.ArgumentException.With.Message.Contains(flow is HeaveCase ? "moves no bodies" : method.Name));
+            }
         }
 
         [Test]
@@ -110,11 +115,11 @@ namespace SphFluid.Tests
             Assert.That(WallCaseStates.Named(metric, "radius at the end over the start's − 1"), Is.Zero.Within(0.06));
         }
 
-        static bool Runs(ValidationCase flow, CaseMethod method) => flow is CapillaryDropCase ? method.HasTension
+        private static bool Runs(ValidationCase flow, CaseMethod method) => flow is CapillaryDropCase ? method.HasTension
             : flow is WallImpactCase ? method.FeelsWalls : !(flow is HeaveCase && method.Name.StartsWith("thesis"));
 
         // The main error.
-        static double Run(ValidationCase flow, int resolution, out CaseMetric metric) =>
+        private static double Run(ValidationCase flow, int resolution, out CaseMetric metric) =>
             WallCaseRig.MainError(flow, WallCaseRig.Coarse(flow, standard, resolution), out metric);
     }
 }

@@ -9,11 +9,11 @@ namespace SphFluid.Tests
     /// <summary>The metrics of levels in tanks on linear waves and on others.</summary>
     public sealed class TankMetricTests
     {
-        const double Length = 4.0, Depth = 1.0, Gravity = 9.81, Wall = -2.3, WaveNumber = 1.5, Small = 1e-4;
-        const int Modes = 25;
-        const string HeightName = "height of the waves over the linear ones' − 1";
-        static readonly TankModes tank = new TankModes(Length, Depth, Gravity, double.PositiveInfinity);
-        static readonly double frequency = tank.FrequencyOf(WaveNumber);
+        private const double Length = 4.0, Depth = 1.0, Gravity = 9.81, Wall = -2.3, WaveNumber = 1.5, Small = 1e-4;
+        private const int Modes = 25;
+        private const string HeightName = "height of the waves over the linear ones' − 1";
+        private static readonly TankModes tank = new TankModes(Length, Depth, Gravity, double.PositiveInfinity);
+        private static readonly double frequency = tank.FrequencyOf(WaveNumber);
 
         [Test]
         public void AnAcceleratedTanksLinearWavesHaveNoError()
@@ -21,8 +21,7 @@ namespace SphFluid.Tests
             AcceleratedTankMetric metric = Accelerated(1.0, 0.0);
 
             Assert.That(metric.Evaluate()[0].Name, Is.EqualTo(new AcceleratedTankCase().ErrorName));
-            foreach (CaseError error in metric.Evaluate())
-                Assert.That(error.Value, Is.Zero.Within(1e-3), error.Name);
+            foreach (CaseError error in metric.Evaluate()) Assert.That(error.Value, Is.Zero.Within(1e-3), error.Name);
             IReadOnlyList<CaseSeries> series = metric.Series();
             Assert.That(series[1].Y, Is.EqualTo(series[0].Y).Within(2e-3));
             Assert.That(series[3].Y, Is.EqualTo(series[2].Y).Within(2e-3));
@@ -46,8 +45,7 @@ namespace SphFluid.Tests
             PaddleMetric metric = Driven(1.0, 0.0);
 
             Assert.That(metric.Evaluate()[0].Name, Is.EqualTo(new PaddleCase().ErrorName));
-            for (int i = 0; i < 3; i++)
-                Assert.That(metric.Evaluate()[i].Value, Is.Zero.Within(1e-3), metric.Evaluate()[i].Name);
+            for (int i = 0; i < 3; i++) Assert.That(metric.Evaluate()[i].Value, Is.Zero.Within(1e-3), metric.Evaluate()[i].Name);
             Assert.That(WallCaseStates.Named(metric, "waves late, in periods"), Is.Zero.Within(1e-3));
             Assert.That(WallCaseStates.Named(metric, HeightName), Is.Zero.Within(1e-3));
         }
@@ -66,7 +64,7 @@ namespace SphFluid.Tests
         [Test]
         public void AShortRunHasNoEvenWaves() => Assert.That(WallCaseStates.Named(Driven(1.0, 0.0, 2.0), "waves late, in periods"), Is.NaN);
 
-        static AcceleratedTankMetric Accelerated(double factor, double second)
+        private static AcceleratedTankMetric Accelerated(double factor, double second)
         {
             var metric = new AcceleratedTankMetric(tank, Wall, Small);
             double period = 2.0 * Math.PI / tank.Frequency(1);
@@ -80,7 +78,7 @@ namespace SphFluid.Tests
             return metric;
         }
 
-        static PaddleMetric Driven(double factor, double late, double periods = 2.5)
+        private static PaddleMetric Driven(double factor, double late, double periods = 2.5)
         {
             var metric = new PaddleMetric(tank, Wall, Small, WaveNumber);
             for (int i = 0; i <= 20 * periods; i++)

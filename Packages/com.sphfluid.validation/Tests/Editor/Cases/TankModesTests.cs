@@ -7,8 +7,8 @@ namespace SphFluid.Tests
 {
     public sealed class TankModesTests
     {
-        const double Length = 3.0, Depth = 0.8, Gravity = 9.81, Wall = -1.2;
-        static readonly TankModes tank = new TankModes(Length, Depth, Gravity, double.PositiveInfinity);
+        private const double Length = 3.0, Depth = 0.8, Gravity = 9.81, Wall = -1.2;
+        private static readonly TankModes tank = new TankModes(Length, Depth, Gravity, double.PositiveInfinity);
 
         [Test]
         public void ModesOfALevelAreFound()
@@ -16,8 +16,7 @@ namespace SphFluid.Tests
             double[] made = { 2e-4, 0.0, -1e-4, 5e-5 }, found = new double[4];
             tank.Measure(TankStates.Below(Wall, Wall + Length, x => Depth + tank.Level(made, x - Wall)), Wall, found);
 
-            for (int n = 0; n < made.Length; n++)
-                Assert.That(found[n], Is.EqualTo(made[n]).Within(2e-7), $"mode {n + 1}");
+            for (int n = 0; n < made.Length; n++) Assert.That(found[n], Is.EqualTo(made[n]).Within(2e-7), $"mode {n + 1}");
         }
 
         [Test]
@@ -48,7 +47,10 @@ namespace SphFluid.Tests
         {
             double[] highest = Enumerable.Range(1, 99).Select(n => tank.Tilted(n, 0.05, Math.PI / tank.Frequency(n))).ToArray();
             foreach (double x in new[] { 0.3, 1.5, 2.6 })
-                Assert.That(0.5 * tank.Level(highest, x), Is.EqualTo(0.05 * (x - 0.5 * Length)).Within(5e-4), "the mean of start and highest is the plane");
+            {
+                Assert.That(0.5 * tank.Level(highest, x), Is.EqualTo(0.05 * (x - 0.5 * Length)).Within(5e-4),
+                    "the mean of start and highest is the plane");
+            }
             Assert.That(tank.Tilted(3, 0.05, 0.0), Is.Zero);
             Obeys(t => tank.Tilted(3, 0.05, t), 3, t => tank.Frequency(3) * tank.Frequency(3) * highest[2] / 2.0);
         }
@@ -77,7 +79,8 @@ namespace SphFluid.Tests
                 highest = Math.Max(highest, level);
                 lowest = Math.Min(lowest, level);
             }
-            Assert.That(highest - lowest, Is.EqualTo(2.0 * (Math.Cosh(2.0 * kh) - 1.0) / (Math.Sinh(2.0 * kh) + 2.0 * kh)).Within(3).Percent);
+            Assert.That(highest - lowest, Is.EqualTo(2.0 * (Math.Cosh(2.0 * kh) - 1.0) / (Math.Sinh(2.0 * kh) + 2.0 * kh))
+                .Within(3).Percent);
         }
 
         [Test]
@@ -88,14 +91,15 @@ namespace SphFluid.Tests
         }
 
         // η″ + ω² η = f by second differences.
-        static void Obeys(Func<double, double> mode, int n, Func<double, double> force)
+        private static void Obeys(Func<double, double> mode, int n, Func<double, double> force)
         {
             const double Step = 1e-3;
             double scale = Math.Abs(force(0.0));
             foreach (double t in new[] { 0.2, 0.9, 2.3 })
             {
                 double second = (mode(t + Step) - 2.0 * mode(t) + mode(t - Step)) / (Step * Step);
-                Assert.That(second + tank.Frequency(n) * tank.Frequency(n) * mode(t), Is.EqualTo(force(t)).Within(1e-4 * scale), $"t = {t}");
+                Assert.That(second + tank.Frequency(n) * tank.Frequency(n) * mode(t), Is.EqualTo(force(t)).Within(1e-4 * scale),
+                    $"t = {t}");
             }
         }
     }

@@ -5,9 +5,9 @@ using UnityEngine;
 namespace SphFluid.Tests
 {
     /// <summary>Liquid in a long tank as columns of equal volume, for metrics of levels.</summary>
-    static class TankStates
+    internal static class TankStates
     {
-        const int Columns = 2000, Cuts = 4000;
+        private const int Columns = 2000, Cuts = 4000;
 
         /// <summary>Particles of equal volume below a level between two walls.</summary>
         /// <param name="from">x of the one wall [m].</param>
@@ -17,8 +17,7 @@ namespace SphFluid.Tests
         {
             var volume = new double[Cuts + 1];
             double cut = (to - from) / Cuts;
-            for (int i = 1; i <= Cuts; i++)
-                volume[i] = volume[i - 1] + cut * depth(from + (i - 0.5) * cut);
+            for (int i = 1; i <= Cuts; i++) volume[i] = volume[i - 1] + cut * depth(from + (i - 0.5) * cut);
             return WallCaseStates.State(Columns, n =>
             {
                 double part = (n + 0.5) / Columns * volume[Cuts];

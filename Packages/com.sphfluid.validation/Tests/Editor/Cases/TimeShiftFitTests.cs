@@ -6,14 +6,13 @@ namespace SphFluid.Tests
 {
     public sealed class TimeShiftFitTests
     {
-        static readonly double[] xs = { 1.0, 1.7, 2.2, 3.1 };
+        private static readonly double[] xs = { 1.0, 1.7, 2.2, 3.1 };
 
         [Test]
         public void AShiftIsFound([Values(-0.5, -0.2345, 0.0, 0.11, 0.5)] double shift)
         {
             var curve = new SampledCurve();
-            for (double x = 0.0; x < 4.0; x += 0.001)
-                curve.Add(x, Square(x - shift));
+            for (double x = 0.0; x < 4.0; x += 0.001) curve.Add(x, Square(x - shift));
 
             double found = TimeShiftFit.Best(curve, xs, Array.ConvertAll(xs, Square), 0, 0.5);
 
@@ -27,7 +26,9 @@ namespace SphFluid.Tests
             // Two dips: the one that fits exactly is the farther from zero.
             var curve = new SampledCurve();
             foreach ((double x, double y) in new[] { (0.0, 9.0), (0.6, 1.0), (0.8, 5.0), (1.1, 1.5), (1.3, 9.0), (2.0, 9.0) })
+            {
                 curve.Add(x, y);
+            }
 
             Assert.That(TimeShiftFit.Best(curve, new[] { 1.0 }, new[] { 1.0 }, 0, 0.5), Is.EqualTo(-0.4).Within(1e-4));
         }
@@ -55,6 +56,6 @@ namespace SphFluid.Tests
             Assert.That(new SampledCurve().At(0.0), Is.NaN);
         }
 
-        static double Square(double x) => 1.0 + x * x;
+        private static double Square(double x) => 1.0 + x * x;
     }
 }

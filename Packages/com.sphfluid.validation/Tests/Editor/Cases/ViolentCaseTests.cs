@@ -8,7 +8,7 @@ namespace SphFluid.Tests
     /// <summary>A block thrown in a box: the metric on states made by hand, and coarse runs.</summary>
     public sealed class ViolentCaseTests
     {
-        FluidShaderSet shaders;
+        private FluidShaderSet shaders;
 
         [SetUp]
         public void CreateShaders() => shaders = TestShaders.CreateSet();
@@ -16,7 +16,7 @@ namespace SphFluid.Tests
         [TearDown]
         public void DestroyShaders() => Object.DestroyImmediate(shaders);
 
-        static CaseParameters At(string method, int resolution, double fraction = 0.75)
+        private static CaseParameters At(string method, int resolution, double fraction = 0.75)
         {
             CaseParameters parameters = new ViolentCase().Base(CaseMethod.Find(method));
             parameters.Resolution = resolution;
@@ -65,7 +65,7 @@ namespace SphFluid.Tests
         [TestCase("robust", 3.0)]
         public void NothingIsGainedByTheWholeCase(string method, double fraction) => RequireNoGain(method, 16, fraction);
 
-        void RequireNoGain(string method, int resolution, double fraction)
+        private void RequireNoGain(string method, int resolution, double fraction)
         {
             var validationCase = new ViolentCase();
             CaseParameters parameters = At(method, resolution, fraction);

@@ -7,7 +7,7 @@ using UnityEngine;
 namespace SphFluid.Tests
 {
     /// <summary>Runs a case to its end.</summary>
-    static class WallCaseRig
+    internal static class WallCaseRig
     {
         /// <summary>The base of a method with so many particles along the case's length.</summary>
         public static CaseParameters Coarse(ValidationCase flow, CaseMethod method, int resolution)
@@ -25,7 +25,10 @@ namespace SphFluid.Tests
             return result.Errors[0].Value;
         }
 
-        /// <summary>Shortens a column at rest, and what averages it from a time on, both in √(H/g): it starts as it stands, so that it need not go on for 20.</summary>
+        /// <summary>
+        /// Shortens a column at rest, and what averages it from a time on, both in √(H/g): it starts as it stands, so that it need not go
+        /// on for 20.
+        /// </summary>
         public static HydrostaticMetric Shorter(CaseSetup column, double begin, double end)
         {
             const double depth = 1.0;
@@ -42,7 +45,8 @@ namespace SphFluid.Tests
             setup.Duration = 20.0;
             CaseMetric metric = channel.CreateMetric(parameters, setup);
             Assert.That(Run(channel.Name, setup, metric, SurfaceTestScene.LoadShaders()).Failure, Is.Null);
-            double[] errors = metric.Evaluate().Where(e => e.Name.StartsWith("profile, L2") && !double.IsNaN(e.Value)).Select(e => e.Value).ToArray();
+            double[] errors = metric.Evaluate().Where(e => e.Name.StartsWith("profile, L2") && !double.IsNaN(e.Value))
+                .Select(e => e.Value).ToArray();
             Assert.That(errors, Has.Length.EqualTo(3), "at 2, 10 and 20 s");
             return errors.Max();
         }
@@ -53,7 +57,8 @@ namespace SphFluid.Tests
             return Run(flow, parameters, setup, shaders, out metric);
         }
 
-        public static CaseResult Run(ValidationCase flow, CaseParameters parameters, CaseSetup setup, FluidShaderSet shaders, out CaseMetric metric)
+        public static CaseResult Run(ValidationCase flow, CaseParameters parameters, CaseSetup setup, FluidShaderSet shaders,
+            out CaseMetric metric)
         {
             metric = flow.CreateMetric(parameters, setup);
             return Run(flow.Name, setup, metric, shaders);
@@ -65,8 +70,7 @@ namespace SphFluid.Tests
             {
                 CaseResult result = run.RunToEnd();
                 TestContext.WriteLine($"{name}: {result.Particles} particles, {result.Steps} steps, {result.Failure ?? "no failure"}");
-                foreach (CaseError error in result.Errors)
-                    TestContext.WriteLine($"  {error.Name}: {error.Value:0.####}");
+                foreach (CaseError error in result.Errors) TestContext.WriteLine($"  {error.Name}: {error.Value:0.####}");
                 return result;
             }
         }

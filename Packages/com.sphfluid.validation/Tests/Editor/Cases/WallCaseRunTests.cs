@@ -8,7 +8,7 @@ namespace SphFluid.Tests
     /// <summary>The cases between walls on the GPU, coarse: what the thesis method is known to give.</summary>
     public sealed class WallCaseRunTests
     {
-        FluidShaderSet shaders;
+        private FluidShaderSet shaders;
 
         [SetUp]
         public void CreateShaders() => shaders = TestShaders.CreateSet();
@@ -37,7 +37,8 @@ namespace SphFluid.Tests
             Assert.That(read, Is.InRange(1.95, 2.7));
             Assert.That(WallCaseStates.Named(whole, "slope/(ρg), as read"), Is.EqualTo(0.5 * read).Within(0.1));
             Assert.That(half.Evaluate()[0].Value, Is.EqualTo(Math.Abs(0.5 * read - 1)).Within(1e-9), "what pushes");
-            Assert.That(WallCaseStates.Named(half, "height lost beyond the equation of state's"), Is.InRange(0.03, 0.12), "about a spacing of ten");
+            Assert.That(WallCaseStates.Named(half, "height lost beyond the equation of state's"), Is.InRange(0.03, 0.12),
+                "about a spacing of ten");
         }
 
         [Test]
@@ -91,7 +92,7 @@ namespace SphFluid.Tests
         }
 
         // Corrected, coarse.
-        static CaseParameters At(ValidationCase flow, int resolution, double soundSpeedRatio)
+        private static CaseParameters At(ValidationCase flow, int resolution, double soundSpeedRatio)
         {
             CaseParameters parameters = flow.Base(CaseMethod.Find("thesis"));
             parameters.Resolution = resolution;

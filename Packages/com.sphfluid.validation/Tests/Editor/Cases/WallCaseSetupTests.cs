@@ -8,7 +8,7 @@ namespace SphFluid.Tests
 {
     public sealed class WallCaseSetupTests
     {
-        static IEnumerable<ValidationCase> Cases()
+        private static IEnumerable<ValidationCase> Cases()
         {
             yield return new HydrostaticCase();
             yield return new StandingWaveCase();
@@ -84,7 +84,8 @@ namespace SphFluid.Tests
         {
             CaseParameters coarse = flow.Base(CaseMethod.Find("thesis"));
             coarse.Resolution = 3;
-            Assert.That(() => flow.Build(coarse), Throws.ArgumentException.With.Message.Contains(flow.Name).And.Message.Contains("resolution is 3"));
+            Assert.That(() => flow.Build(coarse),
+                Throws.ArgumentException.With.Message.Contains(flow.Name).And.Message.Contains("resolution is 3"));
             CaseParameters shaken = flow.Base(CaseMethod.Find("thesis"));
             shaken.Jitter = 1;
             Assert.That(() => flow.Build(shaken), Throws.ArgumentException.With.Message.Contains("jitter"));

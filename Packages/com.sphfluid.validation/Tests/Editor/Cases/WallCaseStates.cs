@@ -5,7 +5,7 @@ using UnityEngine;
 namespace SphFluid.Tests
 {
     /// <summary>States made by hand, for metrics.</summary>
-    static class WallCaseStates
+    internal static class WallCaseStates
     {
         /// <summary>A state whose particles have the positions, velocities, densities and pressures of functions of their number.</summary>
         public static FluidSnapshot State(int count, Func<int, Vector3> position, Func<int, Vector3> velocity = null,
@@ -28,8 +28,7 @@ namespace SphFluid.Tests
         {
             foreach (CaseError error in metric.Evaluate())
             {
-                if (error.Name == name)
-                    return error.Value;
+                if (error.Name == name) return error.Value;
             }
             throw new ArgumentException($"There is no error '{name}'.", nameof(name));
         }

@@ -7,7 +7,7 @@ namespace SphFluid.Tests
 {
     public sealed class WallImpactMetricTests
     {
-        const double Time = 0.25, Pressure = 6000.0, Interval = 0.01;
+        private const double Time = 0.25, Pressure = 6000.0, Interval = 0.01;
 
         [Test]
         public void TheRecordHasNoError()
@@ -16,7 +16,10 @@ namespace SphFluid.Tests
 
             Assert.That(metric.Evaluate()[0].Name, Is.EqualTo(new WallImpactCase().ErrorName));
             foreach (CaseError error in metric.Evaluate())
-                Assert.That(error.Value, Is.Zero.Within(error.Name.StartsWith("shift") ? 2e-3 : error.Name.StartsWith("highest") ? 5e-3 : 1e-3), error.Name);
+            {
+                Assert.That(error.Value,
+                    Is.Zero.Within(error.Name.StartsWith("shift") ? 2e-3 : error.Name.StartsWith("highest") ? 5e-3 : 1e-3), error.Name);
+            }
         }
 
         [Test]
@@ -51,27 +54,24 @@ namespace SphFluid.Tests
         }
 
         // The record between its points, none before them, its last value after.
-        static double At(double t)
+        private static double At(double t)
         {
             double[] times = BuchnerPressure.Times, values = BuchnerPressure.Pressures;
-            if (t <= times[0])
-                return values[0];
+            if (t <= times[0]) return values[0];
             int above = Array.FindIndex(times, x => x >= t);
-            if (above < 0)
-                return values[values.Length - 1];
+            if (above < 0) return values[values.Length - 1];
             double part = (t - times[above - 1]) / (times[above] - times[above - 1]);
             return values[above - 1] + part * (values[above] - values[above - 1]);
         }
 
-        static WallImpactMetric Watched(Func<double, double> pressure)
+        private static WallImpactMetric Watched(Func<double, double> pressure)
         {
             var metric = new WallImpactMetric(Time, Pressure);
             metric.Read(0.0, Readings(double.NaN));
-            for (int i = 1; i * Interval < 6.0; i++)
-                metric.Read(i * Interval * Time, Readings(Pressure * pressure((i - 0.5) * Interval)));
+            for (int i = 1; i * Interval < 6.0; i++) metric.Read(i * Interval * Time, Readings(Pressure * pressure((i - 0.5) * Interval)));
             return metric;
         }
 
-        static CaseReadings Readings(double pressure) => new CaseReadings(Array.Empty<Vector3>(), new[] { pressure });
+        private static CaseReadings Readings(double pressure) => new CaseReadings(Array.Empty<Vector3>(), new[] { pressure });
     }
 }

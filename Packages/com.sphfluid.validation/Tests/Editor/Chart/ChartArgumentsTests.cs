@@ -7,7 +7,7 @@ namespace SphFluid.Tests
 {
     public sealed class ChartArgumentsTests
     {
-        static readonly ValidationCase[] cases = { new FlatCase("one"), new FlatCase("two"), new FlatCase("gate") { Gate = true } };
+        private static readonly ValidationCase[] cases = { new FlatCase("one"), new FlatCase("two"), new FlatCase("gate") { Gate = true } };
 
         [Test]
         public void TakesEverythingButGatesWithoutFlags()
@@ -34,7 +34,8 @@ namespace SphFluid.Tests
         [Test]
         public void ReadsTheOtherFlags()
         {
-            ChartArguments arguments = Parse("player", "--out", "elsewhere", "--", "--method", "thesis", "--out", "there", "--slice", "7.5", "--quick");
+            ChartArguments arguments =
+                Parse("player", "--out", "elsewhere", "--", "--method", "thesis", "--out", "there", "--slice", "7.5", "--quick");
 
             Assert.That(arguments.Methods.Single().Name, Is.EqualTo("thesis"));
             Assert.That(arguments.OutputFolder, Is.EqualTo("there"));
@@ -83,10 +84,12 @@ namespace SphFluid.Tests
         [Test]
         public void AsksForAMissingValue()
         {
-            Assert.That(() => Parse("player", "--", "--case", "--quick"), Throws.TypeOf<CommandLineException>().With.Message.Contains("--case needs a value"));
-            Assert.That(() => Parse("player", "--", "--quick=1"), Throws.TypeOf<CommandLineException>().With.Message.Contains("takes no value"));
+            Assert.That(() => Parse("player", "--", "--case", "--quick"),
+                Throws.TypeOf<CommandLineException>().With.Message.Contains("--case needs a value"));
+            Assert.That(() => Parse("player", "--", "--quick=1"),
+                Throws.TypeOf<CommandLineException>().With.Message.Contains("takes no value"));
         }
 
-        static ChartArguments Parse(params string[] words) => ChartArguments.Parse(words, cases);
+        private static ChartArguments Parse(params string[] words) => ChartArguments.Parse(words, cases);
     }
 }

@@ -19,12 +19,14 @@ namespace SphFluid.Tests
         {
             ChartConfig config = Column("robust");
             CaseSetup setup = config.Case.Build(config.Parameters(1));
-            double expected = FluidRules.EffectiveSoundSpeed(setup.Settings, setup.Settings.TimeStep, setup.Settings.MaxSpeed) / setup.Settings.MaxSpeed;
+            double expected = FluidRules.EffectiveSoundSpeed(setup.Settings, setup.Settings.TimeStep, setup.Settings.MaxSpeed) /
+                setup.Settings.MaxSpeed;
 
-            Assert.That(config.EffectiveSoundSpeedRatio, Is.EqualTo(expected).Within(1e-3).Percent.And.LessThan(0.6 * config.SoundSpeedRatio));
+            Assert.That(config.EffectiveSoundSpeedRatio,
+                Is.EqualTo(expected).Within(1e-3).Percent.And.LessThan(0.6 * config.SoundSpeedRatio));
         }
 
-        static ChartConfig Column(string method)
+        private static ChartConfig Column(string method)
         {
             var column = new HydrostaticCase();
             return new ChartConfig(column, column.Base(CaseMethod.Find(method)), ChartFactor.Base);

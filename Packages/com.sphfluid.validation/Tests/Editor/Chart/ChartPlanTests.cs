@@ -7,7 +7,7 @@ namespace SphFluid.Tests
 {
     public sealed class ChartPlanTests
     {
-        static readonly ValidationCase[] cases = { new FlatCase("one"), new FlatCase("two") };
+        private static readonly ValidationCase[] cases = { new FlatCase("one"), new FlatCase("two") };
 
         [Test]
         public void FullPlanSweepsOneFactorAtATime()
@@ -16,7 +16,8 @@ namespace SphFluid.Tests
 
             List<ChartRun> runs = plan.Runs.Where(r => r.Config.Case == cases[1] && r.Config.Method.Name == "thesis").ToList();
             // 12 × 0.5, 0.67, 1.5, 2; κ besides 2; dt besides 0.5; c × 0.5 and 2.
-            Assert.That(Values(runs, ChartFactor.Spacing, c => System.Math.Round(1.0 / c.Spacing)), Is.EquivalentTo(new[] { 6.0, 8.0, 18.0, 24.0 }));
+            Assert.That(Values(runs, ChartFactor.Spacing, c => System.Math.Round(1.0 / c.Spacing)),
+                Is.EquivalentTo(new[] { 6.0, 8.0, 18.0, 24.0 }));
             Assert.That(Values(runs, ChartFactor.Support, c => c.SupportRatio), Is.EquivalentTo(new[] { 1.75, 2.5, 3.0 }));
             Assert.That(Values(runs, ChartFactor.TimeStep, c => c.TimeStepFraction), Is.EquivalentTo(new[] { 0.25, 0.75 }));
             Assert.That(Values(runs, ChartFactor.SoundSpeed, c => c.SoundSpeedRatio), Is.EquivalentTo(new[] { 2.5, 10.0 }));
@@ -29,12 +30,17 @@ namespace SphFluid.Tests
         [Test]
         public void EachSupportAndHalfTheSpeedOfSoundHaveSpacingsOfTheirOwnInAMethodThatUsersChoose()
         {
-            List<ChartConfig> own = ChartPlan.Full(cases, CaseMethod.All).Runs.Where(r => r.Seed == 1 && r.Config.Case == cases[0] && r.Config.Method.Name == "standard")
+            List<ChartConfig> own = ChartPlan.Full(cases, CaseMethod.All).Runs
+                .Where(r => r.Seed == 1 && r.Config.Case == cases[0] && r.Config.Method.Name == "standard")
                 .Select(r => r.Config).ToList();
 
             foreach (double support in new[] { 2.25, 2.5 })
-                Assert.That(own.Where(c => c.SupportRatio == support && c.SoundSpeedRatio == 5.0).Select(c => System.Math.Round(1.0 / c.Spacing)), Is.EquivalentTo(new[] { 6.0, 8.0, 12.0 }));
-            Assert.That(own.Where(c => c.SupportRatio == 2.0 && c.SoundSpeedRatio == 2.5).Select(c => System.Math.Round(1.0 / c.Spacing)), Is.EquivalentTo(new[] { 6.0, 8.0, 12.0 }));
+            {
+                Assert.That(own.Where(c => c.SupportRatio == support && c.SoundSpeedRatio == 5.0)
+                    .Select(c => System.Math.Round(1.0 / c.Spacing)), Is.EquivalentTo(new[] { 6.0, 8.0, 12.0 }));
+            }
+            Assert.That(own.Where(c => c.SupportRatio == 2.0 && c.SoundSpeedRatio == 2.5).Select(c => System.Math.Round(1.0 / c.Spacing)),
+                Is.EquivalentTo(new[] { 6.0, 8.0, 12.0 }));
             Assert.That(own.Where(c => c.Factor == ChartFactor.Several).All(c => c.TimeStepFraction == 0.5), Is.True);
         }
 
@@ -51,13 +57,15 @@ namespace SphFluid.Tests
             }
             int points = cases.Length * CaseMethod.All.Count;
             Assert.That(plan.Runs.Take(points).All(r => r.Config.Factor == ChartFactor.Base && r.Seed == 1), Is.True);
-            Assert.That(plan.Runs.All(r => r.Config.Parameters(r.Seed).Jitter == 0.01 && r.Config.Parameters(r.Seed).Seed == r.Seed), Is.True);
+            Assert.That(plan.Runs.All(r => r.Config.Parameters(r.Seed).Jitter == 0.01 && r.Config.Parameters(r.Seed).Seed == r.Seed),
+                Is.True);
         }
 
         [Test]
         public void LongRunsAreLeftOutAndReported()
         {
-            double limit = new ChartRun(new ChartConfig(cases[0], cases[0].Base(CaseMethod.Find("thesis")), ChartFactor.Base), 1).Cost * 4.0;
+            double limit = new ChartRun(new ChartConfig(cases[0], cases[0].Base(CaseMethod.Find("thesis")), ChartFactor.Base), 1).Cost *
+                4.0;
             CaseMethod[] method = { CaseMethod.Find("thesis") };
             ChartPlan all = ChartPlan.Full(cases, method), limited = ChartPlan.Full(cases, method, runLimit: limit);
 
@@ -92,7 +100,8 @@ namespace SphFluid.Tests
             {
                 List<ChartRun> own = plan.Runs.Where(r => r.Config.Case == c && r.Config.Method.Name == "standard").ToList();
                 CaseParameters start = c.Base(CaseMethod.Find("standard"));
-                List<IGrouping<string, ChartRun>> spacings = own.Where(r => r.Config.SupportRatio.Equals(start.SupportRatio) && r.Config.SoundSpeedRatio.Equals(start.SoundSpeedRatio) &&
+                List<IGrouping<string, ChartRun>> spacings = own.Where(r => r.Config.SupportRatio.Equals(start.SupportRatio) &&
+                    r.Config.SoundSpeedRatio.Equals(start.SoundSpeedRatio) &&
                     r.Config.TimeStepFraction.Equals(start.TimeStepFraction)).GroupBy(r => r.Config.Key).ToList();
                 Assert.That(spacings, Has.Count.GreaterThanOrEqualTo(3), c.Name);
                 Assert.That(spacings.Count(g => g.Count() >= 3), Is.GreaterThanOrEqualTo(2), c.Name);
@@ -121,12 +130,18 @@ namespace SphFluid.Tests
                 bool printed = runs.First().Config.Method.Kind == FluidMethodKind.ThesisPrinted;
                 List<ChartRun> sweep = runs.Where(r => r.Config.Factor != ChartFactor.Base).ToList();
                 Assert.That(runs.Count() - sweep.Count, Is.EqualTo(printed ? 1 : 3), runs.Key);
-                Assert.That(sweep.Where(r => r.Config.Factor == ChartFactor.Spacing).GroupBy(r => r.Config.Key).Select(g => g.Count()), Is.EqualTo(printed ? new[] { 1, 1 } : new[] { 3, 3 }));
+                Assert.That(sweep.Where(r => r.Config.Factor == ChartFactor.Spacing).GroupBy(r => r.Config.Key).Select(g => g.Count()),
+                    Is.EqualTo(printed ? new[] { 1, 1 } : new[] { 3, 3 }));
                 if (!printed)
-                    Assert.That(sweep.Select(r => r.Config.Factor).Distinct(), Is.EquivalentTo(new[] { ChartFactor.Spacing, ChartFactor.Support, ChartFactor.TimeStep, ChartFactor.SoundSpeed }));
+                {
+                    Assert.That(sweep.Select(r => r.Config.Factor).Distinct(),
+                        Is.EquivalentTo(new[] { ChartFactor.Spacing, ChartFactor.Support, ChartFactor.TimeStep, ChartFactor.SoundSpeed }));
+                }
                 // κ = 2 is the made-up case's base.
                 if (runs.First().Config.Method.Kind == FluidMethodKind.Standard)
+                {
                     Assert.That(Values(sweep, ChartFactor.Support, c => c.SupportRatio), Is.EqualTo(new[] { 2.25, 2.5 }));
+                }
             }
         }
 
@@ -142,8 +157,7 @@ namespace SphFluid.Tests
             Assert.That(plan.LeftOut, Is.Not.Empty);
             Assert.That(plan.DescribeLeftOut(), Does.Contain("base of costly").And.Not.Contain("cheap"));
             // The costly one has coarser points: each panel has one at least.
-            foreach (ValidationCase c in mixed)
-                Assert.That(plan.Runs.Count(r => r.Config.Case == c), Is.GreaterThan(0), c.Name);
+            foreach (ValidationCase c in mixed) Assert.That(plan.Runs.Count(r => r.Config.Case == c), Is.GreaterThan(0), c.Name);
         }
 
         [Test]
@@ -161,10 +175,13 @@ namespace SphFluid.Tests
                     bool cannot = plan.Unbuildable.Any(u => u.Case == c && u.Method == method && u.Factor == ChartFactor.Base);
                     Assert.That(isRun != cannot, $"{c.Name}, {method.Name}");
                     Assert.That(cannot, Is.EqualTo(c is HeaveCase && method.Name.StartsWith("thesis") ||
-                        c is WallImpactCase && !method.FeelsWalls || c is CapillaryDropCase && !method.HasTension), "only what a method lacks keeps it from a case");
+                        c is WallImpactCase && !method.FeelsWalls || c is CapillaryDropCase && !method.HasTension),
+                        "only what a method lacks keeps it from a case");
                 }
-                Assert.That(plan.Runs.Where(r => r.Config.Case == c && r.Config.Method.Kind == FluidMethodKind.Standard).Select(r => r.Config.SupportRatio).Distinct(),
-                    Is.SupersetOf(new[] { 2.0, 2.25, 2.5 }), c.Name + ": " + string.Join("; ", plan.Unbuildable.Concat(plan.LeftOut.Select(r => r.Config)).Where(u => u.Case == c)));
+                Assert.That(plan.Runs.Where(r => r.Config.Case == c && r.Config.Method.Kind == FluidMethodKind.Standard)
+                    .Select(r => r.Config.SupportRatio).Distinct(),
+                    Is.SupersetOf(new[] { 2.0, 2.25, 2.5 }),
+                    c.Name + ": " + string.Join("; ", plan.Unbuildable.Concat(plan.LeftOut.Select(r => r.Config)).Where(u => u.Case == c)));
             }
         }
 
@@ -178,10 +195,10 @@ namespace SphFluid.Tests
             Assert.That(new ChartRun(new ChartConfig(cases[0], wide, ChartFactor.Support), 1).Cost, Is.GreaterThan(1.5 * narrow.Cost));
         }
 
-        static IEnumerable<double> Values(IEnumerable<ChartRun> runs, ChartFactor factor, System.Func<ChartConfig, double> value) =>
+        private static IEnumerable<double> Values(IEnumerable<ChartRun> runs, ChartFactor factor, System.Func<ChartConfig, double> value) =>
             runs.Where(r => r.Config.Factor == factor && r.Seed == 1).Select(r => value(r.Config));
 
-        static bool DiffersInOne(ChartConfig config)
+        private static bool DiffersInOne(ChartConfig config)
         {
             CaseParameters start = config.Case.Base(config.Method), point = config.Parameters(1);
             int differences = (start.Resolution != point.Resolution ? 1 : 0) + (start.SupportRatio != point.SupportRatio ? 1 : 0) +

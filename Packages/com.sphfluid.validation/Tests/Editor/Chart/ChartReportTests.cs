@@ -10,13 +10,16 @@ using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>The chart's page, from made-up runs: base and two κ of the corrected method, a base of the standard one, a printed one that fails.</summary>
+    /// <summary>
+    /// The chart's page, from made-up runs: base and two κ of the corrected method, a base of the standard one, a printed one that fails.
+    /// </summary>
     public sealed class ChartReportTests
     {
-        static readonly Regex dataIsland = new Regex("<script id=\"data\" type=\"application/json\">(.*?)</script>", RegexOptions.Singleline);
-        static readonly Regex codeAndStyle = new Regex("(<(script|style)[^>]*>).*?(</\\2>)", RegexOptions.Singleline);
+        private static readonly Regex dataIsland =
+            new Regex("<script id=\"data\" type=\"application/json\">(.*?)</script>", RegexOptions.Singleline);
+        private static readonly Regex codeAndStyle = new Regex("(<(script|style)[^>]*>).*?(</\\2>)", RegexOptions.Singleline);
 
-        string folder;
+        private string folder;
 
         [SetUp]
         public void SetUp()
@@ -28,20 +31,23 @@ namespace SphFluid.Tests
         [TearDown]
         public void TearDown() => TestFolder.Delete(folder);
 
-        static int IndexOfStandard => CaseMethod.All.ToList().FindIndex(m => m.Name == "standard");
+        private static int IndexOfStandard => CaseMethod.All.ToList().FindIndex(m => m.Name == "standard");
 
         [Test]
         public void ThePageIsWellFormedAndHasASectionForEachCase()
         {
-            XmlDocument page = Parsed(Html(Report("A 'fast' <one>", new FlatCase("one") { Companion = "drift", Warning = "A & B" }, new FlatCase("two"))));
+            XmlDocument page =
+                Parsed(Html(Report("A 'fast' <one>", new FlatCase("one") { Companion = "drift", Warning = "A & B" }, new FlatCase("two"))));
 
             Assert.That(page.SelectNodes("//section[@data-case]").Count, Is.EqualTo(2));
             Assert.That(page.SelectSingleNode("//section[@id='case-one']/h2").InnerText, Is.EqualTo("A cube's rest"));
             Assert.That(page.SelectSingleNode("//section[@id='case-one']/p[@class='caution']").InnerText, Is.EqualTo("A & B"));
             Assert.That(page.SelectSingleNode("//section[@id='case-two']/p[@class='caution']"), Is.Null);
             Assert.That(page.SelectSingleNode("//title").InnerText, Is.EqualTo("Error against GPU time: A 'fast' <one>"));
-            Assert.That(page.SelectNodes("//nav//a").Cast<XmlElement>().Select(a => a.GetAttribute("href")), Is.EqualTo(new[] { "#case-one", "#case-two" }));
-            Assert.That(page.SelectNodes("//*[@id]").Cast<XmlElement>().GroupBy(e => e.GetAttribute("id")).Where(g => g.Count() > 1).Select(g => g.Key), Is.Empty, "ids are unique");
+            Assert.That(page.SelectNodes("//nav//a").Cast<XmlElement>().Select(a => a.GetAttribute("href")),
+                Is.EqualTo(new[] { "#case-one", "#case-two" }));
+            Assert.That(page.SelectNodes("//*[@id]").Cast<XmlElement>().GroupBy(e => e.GetAttribute("id")).Where(g => g.Count() > 1)
+                .Select(g => g.Key), Is.Empty, "ids are unique");
             string facts = page.SelectSingleNode("//dl[@class='facts']").InnerText;
             Assert.That(facts, Does.Contain("2026-11-21").And.Contain("22, of which 2 failed").And.Contain("chart --quick"));
         }
@@ -53,7 +59,8 @@ namespace SphFluid.Tests
 
             Assert.That(Parsed(html).SelectNodes("//link | //img | //script[@src] | //iframe").Count, Is.Zero);
             Assert.That(html, Does.Not.Contain("@import").And.Not.Contain("fetch(").And.Not.Contain("{{").And.Not.Match("url\\((?!#)"));
-            Assert.That(Regex.Matches(html, "https?://[^\"]*").Cast<Match>().Select(m => m.Value).Distinct(), Is.EqualTo(new[] { "http://www.w3.org/2000/svg" }), "a name, no address");
+            Assert.That(Regex.Matches(html, "https?://[^\"]*").Cast<Match>().Select(m => m.Value).Distinct(),
+                Is.EqualTo(new[] { "http://www.w3.org/2000/svg" }), "a name, no address");
         }
 
         [Test]
@@ -67,12 +74,15 @@ namespace SphFluid.Tests
             Assert.That((panel.isFraction, panel.floor), Is.EqualTo((1, 0.04)));
             Assert.That(panel.points, Has.Length.EqualTo(5));
             Point wide = panel.points.Single(p => p.kappa == 2.5);
-            Assert.That((wide.method, wide.factor, wide.seeds, wide.failures, wide.particles, wide.dx), Is.EqualTo((1, "Support", 3, 0, 1728, 0.083333)));
+            Assert.That((wide.method, wide.factor, wide.seeds, wide.failures, wide.particles, wide.dx),
+                Is.EqualTo((1, "Support", 3, 0, 1728, 0.083333)));
             Assert.That(wide.cost, Is.EqualTo(new[] { 100.0, 90, 110 }));
             Assert.That(wide.err, Is.EqualTo(new[] { 0.25, 0.24, 0.26 }));
             Point failed = panel.points.Single(p => p.failures > 0);
-            Assert.That((failed.method, failed.factor, failed.reason, failed.err.Length, failed.front), Is.EqualTo((0, "Base", "energy grew", 0, 0)));
-            Assert.That(panel.points.Where(p => p.front == 1).Select(p => p.method), Is.EqualTo(new[] { IndexOfStandard }), "cheaper and better than all others");
+            Assert.That((failed.method, failed.factor, failed.reason, failed.err.Length, failed.front),
+                Is.EqualTo((0, "Base", "energy grew", 0, 0)));
+            Assert.That(panel.points.Where(p => p.front == 1).Select(p => p.method), Is.EqualTo(new[] { IndexOfStandard }),
+                "cheaper and better than all others");
             Assert.That((panel.fits.Length, panel.marks.Length), Is.EqualTo((0, 0)));
         }
 
@@ -81,7 +91,8 @@ namespace SphFluid.Tests
         {
             ChartReport report = Report("device", new FlatCase("one"));
             report.Cases[0].Panels[0].Fits.Add(new ReportFit("standard", "error as dx²", new[] { (10.0, 0.4), (100.0, 0.1) }));
-            report.Cases[0].Panels[0].Marks.Add(new ReportMark("answer", SampleStatistics.Of(new[] { 40.0, 50, 60 }), SampleStatistics.Of(new[] { 0.1, 0.2, 0.4 })));
+            report.Cases[0].Panels[0].Marks
+                .Add(new ReportMark("answer", SampleStatistics.Of(new[] { 40.0, 50, 60 }), SampleStatistics.Of(new[] { 0.1, 0.2, 0.4 })));
             Panel panel = DataOf(Html(report)).cases[0].panels[0];
 
             Assert.That((panel.fits.Single().method, panel.fits[0].title), Is.EqualTo((IndexOfStandard, "error as dx²")));
@@ -108,7 +119,8 @@ namespace SphFluid.Tests
             CurveFile.Write(folder, "one", "thesis", "dx 0.1 m", FlatCase.Result(1.0, 0.1).Series);
             Curves curves = DataOf(Html(Report("device", new FlatCase("one")))).cases[0].curves;
 
-            Assert.That((curves.x, curves.y, curves.runs.Single().method, curves.runs[0].constants), Is.EqualTo(("t [s]", "h/H", 1, "dx 0.1 m")));
+            Assert.That((curves.x, curves.y, curves.runs.Single().method, curves.runs[0].constants),
+                Is.EqualTo(("t [s]", "h/H", 1, "dx 0.1 m")));
             Assert.That(curves.references.Single().name, Is.EqualTo("rest"));
             Assert.That(curves.runs[0].curves.Single().y, Has.Length.EqualTo(50));
             Assert.That(curves.runs[0].curves[0].y[1], Is.EqualTo(0.998));
@@ -131,7 +143,8 @@ namespace SphFluid.Tests
 
             Assert.That(() => ReportPage.Load().Fill(parts), Throws.ArgumentException.With.Message.Contains("has a place for"));
             string[] places = { "firstLine", "title", "facts", "links", "costs", "cases", "bases", "equalTime", "data", "surplus" };
-            Assert.That(() => ReportPage.Load().Fill(places.ToDictionary(p => p, p => "")), Throws.ArgumentException.With.Message.Contains("no place for 'surplus'"));
+            Assert.That(() => ReportPage.Load().Fill(places.ToDictionary(p => p, p => "")),
+                Throws.ArgumentException.With.Message.Contains("no place for 'surplus'"));
         }
 
         // The page darkens and lightens the chart's colours for its two backgrounds; a method's hue stays.
@@ -148,23 +161,26 @@ namespace SphFluid.Tests
             }
         }
 
-        static float Hue(string colour)
+        private static float Hue(string colour)
         {
             int rgb = Convert.ToInt32(colour.Substring(1), 16);
             Color.RGBToHSV(new Color32((byte)(rgb >> 16), (byte)(rgb >> 8), (byte)rgb, 255), out float hue, out _, out _);
             return hue;
         }
 
-        ChartReport Report(string device, params ValidationCase[] cases) => Report(device, cases, "energy grew");
+        private ChartReport Report(string device, params ValidationCase[] cases) => Report(device, cases, "energy grew");
 
-        ChartReport Report(string device, ValidationCase[] cases, string reason)
+        private ChartReport Report(string device, ValidationCase[] cases, string reason)
         {
             var table = new ChartRows(device);
             foreach (ValidationCase validationCase in cases)
             {
                 foreach (double kappa in new[] { 2.0, 2.5, 1.75 })
                     for (int seed = 1; seed <= 3; seed++)
-                        Add(table, validationCase, "thesis", kappa, seed, FlatCase.Result(100 + (seed - 2) * 10, 0.1 * kappa + 0.01 * (seed - 2)));
+                    {
+                        Add(table, validationCase, "thesis", kappa, seed,
+                            FlatCase.Result(100 + (seed - 2) * 10, 0.1 * kappa + 0.01 * (seed - 2)));
+                    }
                 Add(table, validationCase, "standard", 2.0, 1, FlatCase.Result(50, 0.05));
                 Add(table, validationCase, "thesis-printed", 2.0, 1, FlatCase.Result(700, 0.0, reason));
             }
@@ -173,48 +189,49 @@ namespace SphFluid.Tests
             return new ChartReport(reported, table.Rows, device, "chart --quick");
         }
 
-        static void Add(ChartRows table, ValidationCase validationCase, string method, double kappa, int seed, CaseResult result)
+        private static void Add(ChartRows table, ValidationCase validationCase, string method, double kappa, int seed, CaseResult result)
         {
             CaseParameters parameters = validationCase.Base(CaseMethod.Find(method));
             parameters.SupportRatio = kappa;
             table.Add(new ChartRun(new ChartConfig(validationCase, parameters, ChartFactor.Support), seed), result, "2026-11-21");
         }
 
-        static string Html(ChartReport report) => report.Html(ReportPage.Load());
+        private static string Html(ChartReport report) => report.Html(ReportPage.Load());
 
-        static XmlDocument Parsed(string html)
+        private static XmlDocument Parsed(string html)
         {
             var document = new XmlDocument { XmlResolver = null };
-            using (XmlReader reader = XmlReader.Create(new StringReader(codeAndStyle.Replace(html, "$1$3")), new XmlReaderSettings { DtdProcessing = DtdProcessing.Ignore }))
+            using (XmlReader reader = XmlReader.Create(new StringReader(codeAndStyle.Replace(html, "$1$3")),
+                new XmlReaderSettings { DtdProcessing = DtdProcessing.Ignore }))
                 document.Load(reader);
             return document;
         }
 
-        static Data DataOf(string html) => JsonUtility.FromJson<Data>(dataIsland.Match(html).Groups[1].Value);
+        private static Data DataOf(string html) => JsonUtility.FromJson<Data>(dataIsland.Match(html).Groups[1].Value);
 
 #pragma warning disable 0649 // JsonUtility fills them
         [Serializable]
-        sealed class Data
+        private sealed class Data
         {
             public Method[] methods;
             public Case[] cases;
         }
 
         [Serializable]
-        sealed class Method
+        private sealed class Method
         {
             public string name;
         }
 
         [Serializable]
-        sealed class Case
+        private sealed class Case
         {
             public Panel[] panels;
             public Curves curves;
         }
 
         [Serializable]
-        sealed class Panel
+        private sealed class Panel
         {
             public string error;
             public int isFraction;
@@ -225,7 +242,7 @@ namespace SphFluid.Tests
         }
 
         [Serializable]
-        sealed class Point
+        private sealed class Point
         {
             public int method, particles, seeds, failures, front;
             public string factor, reason;
@@ -234,7 +251,7 @@ namespace SphFluid.Tests
         }
 
         [Serializable]
-        sealed class Fit
+        private sealed class Fit
         {
             public int method;
             public string title;
@@ -242,14 +259,14 @@ namespace SphFluid.Tests
         }
 
         [Serializable]
-        sealed class Mark
+        private sealed class Mark
         {
             public string title;
             public double[] cost, err;
         }
 
         [Serializable]
-        sealed class Curves
+        private sealed class Curves
         {
             public string x, y;
             public Curve[] references;
@@ -257,7 +274,7 @@ namespace SphFluid.Tests
         }
 
         [Serializable]
-        sealed class Run
+        private sealed class Run
         {
             public int method;
             public string constants;
@@ -265,7 +282,7 @@ namespace SphFluid.Tests
         }
 
         [Serializable]
-        sealed class Curve
+        private sealed class Curve
         {
             public string name;
             public double[] x, y;

@@ -4,9 +4,9 @@ using SphFluid.Validation;
 namespace SphFluid.Tests
 {
     /// <summary>Rows of made-up runs, without a file.</summary>
-    sealed class ChartRows
+    internal sealed class ChartRows
     {
-        readonly List<ChartRow> rows = new List<ChartRow>();
+        private readonly List<ChartRow> rows = new List<ChartRow>();
 
         public ChartRows(string device) => Device = device;
 

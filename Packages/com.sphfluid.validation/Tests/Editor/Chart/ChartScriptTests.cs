@@ -9,7 +9,7 @@ namespace SphFluid.Tests
 {
     public sealed class ChartScriptTests
     {
-        string folder;
+        private string folder;
 
         [SetUp]
         public void SetUp()
@@ -58,14 +58,16 @@ namespace SphFluid.Tests
             Assert.That(lines.Skip(start + 1).Take(2), Is.EqualTo(new[] { "700", "END" }));
             string plot = lines.Single(l => l.Contains("$p0_0_Base_failed using"));
             Assert.That(plot, Does.Contain("pt 6"));
-            double top = double.Parse(plot.Split(new[] { "1:(" }, StringSplitOptions.None)[1].Split(')')[0], System.Globalization.CultureInfo.InvariantCulture);
+            double top = double.Parse(plot.Split(new[] { "1:(" }, StringSplitOptions.None)[1].Split(')')[0],
+                System.Globalization.CultureInfo.InvariantCulture);
             Assert.That(top, Is.GreaterThan(0.3), "above every error");
         }
 
         [Test]
         public void CompanionErrorStandsBesideTheMainOneWithTheCaution()
         {
-            string script = Script(new FlatCase("zero"), new FlatCase("one") { Companion = "drift", Warning = "The gate's delay: " + new string('x', 170) });
+            string script = Script(new FlatCase("zero"),
+                new FlatCase("one") { Companion = "drift", Warning = "The gate's delay: " + new string('x', 170) });
 
             Assert.That(script, Does.Contain("set ylabel 'height'").And.Contain("set ylabel 'drift'"));
             Assert.That(script, Does.Contain("'The gate''s delay:'"), "wrapped");
@@ -81,14 +83,17 @@ namespace SphFluid.Tests
         {
             var table = new ChartRows("device");
             var renamed = new FlatCase("one") { MainError = "depth" };
-            table.Add(new ChartRun(new ChartConfig(renamed, renamed.Base(CaseMethod.Find("thesis")), ChartFactor.Base), 1), FlatCase.Result(100, 0.1), "2026-11-21");
+            table.Add(new ChartRun(new ChartConfig(renamed, renamed.Base(CaseMethod.Find("thesis")), ChartFactor.Base), 1),
+                FlatCase.Result(100, 0.1), "2026-11-21");
             var known = new FlatCase("two");
-            table.Add(new ChartRun(new ChartConfig(known, known.Base(CaseMethod.Find("thesis")), ChartFactor.Base), 1), FlatCase.Result(100, 0.1), "2026-11-21");
-            string script = string.Join("\n", new ChartScript(new[] { ChartPanel.Of(renamed, table.Rows), ChartPanel.Of(known, table.Rows) }, "device", "2026-11-21").Lines());
+            table.Add(new ChartRun(new ChartConfig(known, known.Base(CaseMethod.Find("thesis")), ChartFactor.Base), 1),
+                FlatCase.Result(100, 0.1), "2026-11-21");
+            string script = string.Join("\n",
+                new ChartScript(new[] { ChartPanel.Of(renamed, table.Rows), ChartPanel.Of(known, table.Rows) }, "device",
+                    "2026-11-21").Lines());
 
             Assert.That(script, Does.Contain("set ylabel 'depth'\n").And.Contain("\nplot 1/0\n").And.Contain("\nplot $p1_1_Base using"));
-            if (Gnuplot.Draw(Write("empty.gp", "")) == null)
-                Assert.That(Gnuplot.Draw(Write("accuracy.gp", script)), Is.Null);
+            if (Gnuplot.Draw(Write("empty.gp", "")) == null) Assert.That(Gnuplot.Draw(Write("accuracy.gp", script)), Is.Null);
         }
 
         [Test]
@@ -120,13 +125,15 @@ namespace SphFluid.Tests
 
             Assert.That(curves.References.Single().X.Last(), Is.EqualTo(0.98));
             Assert.That(curves.Runs.Select(r => r.Constants), Is.EqualTo(new[] { "dx 0.2 m", "dx 0.1 m", "dx 0.1 m" }));
-            Assert.That(script, Does.Contain(".\"\\n\".'thesis, as printed: dx 0.2 m'.\"\\n\".'thesis, corrected: dx 0.1 m'.\"\\n\".'standard: dx 0.1 m'"));
+            Assert.That(script,
+                Does.Contain(".\"\\n\".'thesis, as printed: dx 0.2 m'.\"\\n\".'thesis, corrected: dx 0.1 m'.\"\\n\".'standard: dx 0.1 m'"));
         }
 
         [Test]
         public void ManyReferencesHaveAPanelEach()
         {
-            List<CaseSeries> curves = Enumerable.Range(0, 3).SelectMany(i => FlatCase.Result(1.0, 0.1).Series.Select(c => Renamed(c, c.Name + " " + i))).ToList();
+            List<CaseSeries> curves = Enumerable.Range(0, 3)
+                .SelectMany(i => FlatCase.Result(1.0, 0.1).Series.Select(c => Renamed(c, c.Name + " " + i))).ToList();
             CurveFile.Write(folder, "one", "thesis", "dx 0.1 m", curves);
             string script = string.Join("\n", new CurveScript(new FlatCase("one"), folder).Lines());
 
@@ -138,8 +145,7 @@ namespace SphFluid.Tests
         [Test]
         public void GnuplotDrawsTheScripts()
         {
-            if (Gnuplot.Draw(Write("empty.gp", "")) != null)
-                Assert.Ignore("gnuplot is not installed.");
+            if (Gnuplot.Draw(Write("empty.gp", "")) != null) Assert.Ignore("gnuplot is not installed.");
             CurveFile.Write(folder, "one", "thesis", "dx 0.1 m", FlatCase.Result(1.0, 0.1).Series);
             ValidationCase[] cases = { new FlatCase("one") { Companion = "drift", Warning = "A caution." }, new FlatCase("two") };
 
@@ -147,7 +153,10 @@ namespace SphFluid.Tests
             Assert.That(Gnuplot.Draw(Write("case-one.gp", string.Join("\n", new CurveScript(cases[0], folder).Lines()))), Is.Null);
 
             foreach (string file in new[] { "accuracy.png", "case-one.png" })
-                Assert.That(File.ReadAllBytes(Path.Combine(folder, file)).Take(4), Is.EqualTo(new byte[] { 0x89, (byte)'P', (byte)'N', (byte)'G' }), file);
+            {
+                Assert.That(File.ReadAllBytes(Path.Combine(folder, file)).Take(4),
+                    Is.EqualTo(new byte[] { 0x89, (byte)'P', (byte)'N', (byte)'G' }), file);
+            }
             Assert.That(File.ReadAllText(Path.Combine(folder, "accuracy.svg")), Does.Contain("</svg>").And.Contain("reference floor"));
         }
 
@@ -164,8 +173,7 @@ namespace SphFluid.Tests
         [Test]
         public void ABrokenScriptIsReported()
         {
-            if (Gnuplot.Draw(Write("empty.gp", "")) != null)
-                Assert.Ignore("gnuplot is not installed.");
+            if (Gnuplot.Draw(Write("empty.gp", "")) != null) Assert.Ignore("gnuplot is not installed.");
             Assert.That(Gnuplot.Draw(Write("broken.gp", "plott x")), Does.Contain("broken.gp").And.Contain("invalid command"));
         }
 
@@ -195,7 +203,7 @@ namespace SphFluid.Tests
         }
 
         // Base and two κ of the corrected method, and a base of the printed one that fails. Errors are κ/10, 0.01 apart.
-        static string Script(params ValidationCase[] cases)
+        private static string Script(params ValidationCase[] cases)
         {
             var table = new ChartRows("A 'fast' one");
             foreach (ValidationCase validationCase in cases)
@@ -210,28 +218,30 @@ namespace SphFluid.Tests
                             FlatCase.Result(100 + (seed - 2) * 10, 0.1 * kappa + 0.01 * (seed - 2)), "2026-11-21");
                     }
                 }
-                table.Add(new ChartRun(new ChartConfig(validationCase, validationCase.Base(CaseMethod.Find("thesis-printed")), ChartFactor.Base), 1),
+                table
+                    .Add(
+                        new ChartRun(new ChartConfig(validationCase, validationCase.Base(CaseMethod.Find("thesis-printed")),
+                            ChartFactor.Base), 1),
                     FlatCase.Result(700, 0.0, "energy grew"), "2026-11-21");
             }
             List<IReadOnlyList<ChartPanel>> groups = cases.Select(c => ChartPanel.Of(c, table.Rows)).ToList();
             return string.Join("\n", new ChartScript(groups, table.Device, "2026-11-21").Lines());
         }
 
-        static CaseSeries Renamed(CaseSeries curve, string name)
+        private static CaseSeries Renamed(CaseSeries curve, string name)
         {
             var renamed = new CaseSeries(name, curve.IsReference);
-            for (int i = 0; i < curve.X.Count; i++)
-                renamed.Add(curve.X[i], curve.Y[i]);
+            for (int i = 0; i < curve.X.Count; i++) renamed.Add(curve.X[i], curve.Y[i]);
             return renamed;
         }
 
-        string Write(string name, string text)
+        private string Write(string name, string text)
         {
             string file = Path.Combine(folder, name);
             File.WriteAllText(file, text);
             return file;
         }
 
-        static int Count(string text, string part) => text.Split(new[] { part }, StringSplitOptions.None).Length - 1;
+        private static int Count(string text, string part) => text.Split(new[] { part }, StringSplitOptions.None).Length - 1;
     }
 }

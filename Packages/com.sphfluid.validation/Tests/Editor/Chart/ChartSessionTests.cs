@@ -11,12 +11,12 @@ namespace SphFluid.Tests
     /// <summary>The order of a chart's work, with runs that are made up.</summary>
     public sealed class ChartSessionTests
     {
-        static readonly ValidationCase[] cases = { new FlatCase("one", 6), new FlatCase("two", 6) };
+        private static readonly ValidationCase[] cases = { new FlatCase("one", 6), new FlatCase("two", 6) };
 
-        readonly List<string> said = new List<string>();
-        readonly List<ChartRun> done = new List<ChartRun>();
-        string folder, failure;
-        ChartPlan lastPlan;
+        private readonly List<string> said = new List<string>();
+        private readonly List<ChartRun> done = new List<ChartRun>();
+        private string folder, failure;
+        private ChartPlan lastPlan;
 
         [SetUp]
         public void SetUp()
@@ -39,7 +39,9 @@ namespace SphFluid.Tests
             Assert.That(Lines("accuracy.csv"), Has.Length.EqualTo(1 + 2 * plan.Runs.Count), "two errors each");
             Assert.That(Lines("pareto.csv"), Has.Length.GreaterThan(1));
             foreach (string file in new[] { "accuracy.gp", "case-one.gp", "case-two.gp", "curves/one.thesis.csv", "report.html" })
+            {
                 Assert.That(File.Exists(Path.Combine(folder, file)), Is.True, file);
+            }
             Assert.That(said, Has.Some.Contains($"1/{plan.Runs.Count}  one, thesis"));
             Assert.That(said.Last(), Does.Contain($"All {plan.Runs.Count} runs are done"));
         }
@@ -49,8 +51,7 @@ namespace SphFluid.Tests
         {
             using (ChartSession session = Create())
             {
-                for (int i = 0; i < 4; i++)
-                    session.Step();
+                for (int i = 0; i < 4; i++) session.Step();
             }
             int first = done.Count;
             Assert.That(first, Is.GreaterThan(0));
@@ -119,9 +120,9 @@ namespace SphFluid.Tests
             Assert.That(Lines("pareto.csv"), Has.Length.EqualTo(1));
         }
 
-        ChartSession Create(params string[] words) => Create(new SessionRate(null), words);
+        private ChartSession Create(params string[] words) => Create(new SessionRate(null), words);
 
-        ChartSession Create(SessionRate rate, params string[] words)
+        private ChartSession Create(SessionRate rate, params string[] words)
         {
             var line = new List<string> { "player", "--", "--method", "thesis", "--out", folder };
             line.AddRange(words);
@@ -130,7 +131,7 @@ namespace SphFluid.Tests
             return new ChartSession(arguments, lastPlan, Run, new SessionProgress(said.Add, null), "device", rate);
         }
 
-        ChartPlan Finish(ChartSession session)
+        private ChartPlan Finish(ChartSession session)
         {
             using (session)
             {
@@ -142,7 +143,7 @@ namespace SphFluid.Tests
         }
 
         // Two frames a run.
-        IEnumerator Run(ChartRun run, Action<CaseResult> hand)
+        private IEnumerator Run(ChartRun run, Action<CaseResult> hand)
         {
             yield return null;
             yield return null;
@@ -151,8 +152,8 @@ namespace SphFluid.Tests
             hand(FlatCase.Result(gpu * (1.0 + 0.01 * run.Seed), error * (1.0 + 0.01 * run.Seed), failure));
         }
 
-        string[] Lines(string file) => File.ReadAllLines(Path.Combine(folder, file));
+        private string[] Lines(string file) => File.ReadAllLines(Path.Combine(folder, file));
 
-        IEnumerable<string> Finished(int count) => done.Take(count).Select(r => r.ToString());
+        private IEnumerable<string> Finished(int count) => done.Take(count).Select(r => r.ToString());
     }
 }

@@ -7,15 +7,16 @@ namespace SphFluid.Tests
 {
     public sealed class ChartTableTests : FolderTests
     {
-        const string Device = "A \"fast\" one, with 2 cores";
+        private const string Device = "A \"fast\" one, with 2 cores";
 
-        static readonly FlatCase flat = new FlatCase("flat");
+        private static readonly FlatCase flat = new FlatCase("flat");
 
         [Test]
         public void HasTheColumnsThatOthersRead()
         {
             Assert.That(ChartRow.Format.FirstLine, Is.EqualTo("case,method,dx,kappa,dt_fraction,c_or_iterations,particles,seed," +
-                "gpu_ms_per_sim_s,cpu_ms_per_sim_s,error,error_name,failed,reason,device,date,steps,dt_s,gpu_ms_low,gpu_ms_high,time_spread"));
+                "gpu_ms_per_sim_s,cpu_ms_per_sim_s,error,error_name,failed,reason,device,date,steps,dt_s,gpu_ms_low,gpu_ms_high," +
+                "time_spread"));
         }
 
         [Test]
@@ -26,7 +27,10 @@ namespace SphFluid.Tests
 
             Assert.That(table.Rows, Has.Count.EqualTo(2));
             Assert.That(lines, Has.Length.EqualTo(3));
-            Assert.That(lines[1], Is.EqualTo("flat,thesis,0.0833333,2,0.5,5,1728,3,1234.5,617.25,0.125,height,0,,\"A \"\"fast\"\" one, with 2 cores\",2026-11-21,120,,,,"));
+            Assert.That(lines[1],
+                Is.EqualTo(
+                    "flat,thesis,0.0833333,2,0.5,5,1728,3,1234.5,617.25,0.125,height,0,,\"A \"\"fast\"\" one, with 2 " +
+                    "cores\",2026-11-21,120,,,,"));
             Assert.That(lines[2], Does.Contain(",-0.0125,drift,0,"));
         }
 
@@ -36,7 +40,9 @@ namespace SphFluid.Tests
             Written(FlatCase.Result(double.NaN, 0.0, "3 of 1728 values are not finite, at 0.2 s"));
 
             Assert.That(File.ReadAllLines(Path.Combine(folder, "accuracy.csv")).Last(),
-                Is.EqualTo("flat,thesis,0.0833333,2,0.5,5,1728,3,,,,height,1,\"3 of 1728 values are not finite, at 0.2 s\",\"A \"\"fast\"\" one, with 2 cores\",2026-11-21,120,,,,"));
+                Is.EqualTo(
+                    "flat,thesis,0.0833333,2,0.5,5,1728,3,,,,height,1,\"3 of 1728 values are not finite, at 0.2 s\",\"A \"\"fast\"\" " +
+                    "one, with 2 cores\",2026-11-21,120,,,,"));
         }
 
         [Test]
@@ -103,18 +109,19 @@ namespace SphFluid.Tests
             Assert.That(CsvText.Join(cells), Is.EqualTo(line));
         }
 
-        ResultTable<ChartRow> Resume(string device) => ResultTable<ChartRow>.Resume(ChartRow.Format, folder, device, () => new ChartRow());
+        private ResultTable<ChartRow> Resume(string device) =>
+            ResultTable<ChartRow>.Resume(ChartRow.Format, folder, device, () => new ChartRow());
 
-        ResultTable<ChartRow> Written(CaseResult result)
+        private ResultTable<ChartRow> Written(CaseResult result)
         {
             var table = new ResultTable<ChartRow>(ChartRow.Format, folder, Device);
             ChartRow[] rows = ChartRow.Of(Run(3), result);
-            foreach (ChartRow row in rows)
-                row.Date = "2026-11-21";
+            foreach (ChartRow row in rows) row.Date = "2026-11-21";
             table.Add(rows);
             return table;
         }
 
-        static ChartRun Run(int seed) => new ChartRun(new ChartConfig(flat, flat.Base(CaseMethod.Find("thesis")), ChartFactor.Base), seed);
+        private static ChartRun Run(int seed) =>
+            new ChartRun(new ChartConfig(flat, flat.Base(CaseMethod.Find("thesis")), ChartFactor.Base), seed);
     }
 }

@@ -8,9 +8,9 @@ namespace SphFluid.Tests
     /// <summary>Points are made up; those of a method are identified by their κ.</summary>
     public sealed class EqualCostTests
     {
-        static readonly FlatCase flat = new FlatCase("flat");
+        private static readonly FlatCase flat = new FlatCase("flat");
 
-        ChartRows table;
+        private ChartRows table;
 
         [SetUp]
         public void SetUp() => table = new ChartRows("device");
@@ -38,7 +38,8 @@ namespace SphFluid.Tests
             Add("standard", 2.5, 400, 0.2);
 
             Assert.That(One("standard", 2.0).OtherError, Is.EqualTo(0.4).Within(1e-12));
-            Assert.That(All().Where(c => c.Point.Method == "thesis").Select(c => c.OtherError), Is.All.EqualTo(0.2), "no better by being dearer");
+            Assert.That(All().Where(c => c.Point.Method == "thesis").Select(c => c.OtherError), Is.All.EqualTo(0.2),
+                "no better by being dearer");
         }
 
         [Test]
@@ -72,7 +73,8 @@ namespace SphFluid.Tests
             Add("standard", 2.5, 300, 0.5);
 
             Assert.That(One("standard", 2.0).OtherError, Is.EqualTo(0.2).Within(1e-12));
-            Assert.That(All().Any(c => c.Point.SupportRatio == 2.25 || c.Point.Method == "standard" && c.Point.SupportRatio == 2.5), Is.False);
+            Assert.That(All().Any(c => c.Point.SupportRatio == 2.25 || c.Point.Method == "standard" && c.Point.SupportRatio == 2.5),
+                Is.False);
         }
 
         // FlatCase's floor is 0.04.
@@ -107,17 +109,19 @@ namespace SphFluid.Tests
 
             Assert.That(EqualCost.Format.Lines(All()), Is.EqualTo(new[]
             {
-                "case,error_name,method,dx,kappa,dt_fraction,c_or_iterations,gpu_ms_per_sim_s,error,other_method,other_error,ratio,other_is,device,date",
+                "case,error_name,method,dx,kappa,dt_fraction,c_or_iterations,gpu_ms_per_sim_s,error,other_method,other_error,ratio," +
+                "other_is,device,date",
                 "flat,height,standard,0.0833333,2,0.5,5,200,0.1,thesis,0.4,0.25,its dearest,device,2026-11-22",
             }));
         }
 
-        EqualCost.Comparison One(string method, double kappa, double floor = 0.0) =>
+        private EqualCost.Comparison One(string method, double kappa, double floor = 0.0) =>
             All(floor).Single(c => c.Point.Method == method && c.Point.SupportRatio == kappa);
 
-        IReadOnlyList<EqualCost.Comparison> All(double floor = 0.0) => EqualCost.Of(ChartPoint.Of(table.Rows, "flat", "height"), floor);
+        private IReadOnlyList<EqualCost.Comparison> All(double floor = 0.0) =>
+            EqualCost.Of(ChartPoint.Of(table.Rows, "flat", "height"), floor);
 
-        void Add(string method, double kappa, double cost, double error, int resolution = 12)
+        private void Add(string method, double kappa, double cost, double error, int resolution = 12)
         {
             CaseParameters parameters = flat.Base(CaseMethod.Find(method));
             parameters.Resolution = resolution;

@@ -6,10 +6,10 @@ using UnityEngine;
 namespace SphFluid.Tests
 {
     /// <summary>A case that is never run: its set-up only has a size. A unit cube of Resolution³ particles for one second.</summary>
-    sealed class FlatCase : ValidationCase
+    internal sealed class FlatCase : ValidationCase
     {
-        readonly string name;
-        readonly int resolution;
+        private readonly string name;
+        private readonly int resolution;
 
         public FlatCase(string name, int resolution = 12)
         {
@@ -59,8 +59,7 @@ namespace SphFluid.Tests
         // dt = fraction · dx / c.
         public override CaseSetup Build(in CaseParameters parameters)
         {
-            if (parameters.SupportRatio >= SupportLimit)
-                throw new ArgumentException("the cube is too small for κ");
+            if (parameters.SupportRatio >= SupportLimit) throw new ArgumentException("the cube is too small for κ");
             float spacing = 1f / parameters.Resolution;
             FluidSolverSettings settings = default;
             settings.Spacing = spacing;
@@ -88,7 +87,8 @@ namespace SphFluid.Tests
             }
             return new CaseResult
             {
-                Errors = failure != null ? Array.Empty<CaseError>() : new[] { new CaseError("height", error), new CaseError("drift", -0.1 * error) },
+                Errors = failure != null ? Array.Empty<CaseError>()
+                    : new[] { new CaseError("height", error), new CaseError("drift", -0.1 * error) },
                 Series = new List<CaseSeries> { curve, reference },
                 Failure = failure,
                 Particles = 1728,

@@ -8,13 +8,14 @@ namespace SphFluid.Tests
     /// <summary>Points are identified by their κ; every one has three seeds around its median.</summary>
     public sealed class ParetoFrontTests
     {
-        static readonly FlatCase flat = new FlatCase("flat");
+        private static readonly FlatCase flat = new FlatCase("flat");
 
         [Test]
         public void KeepsWhatNothingBeats()
         {
             // κ 2 is dearer and worse than 1.75; 3 is dear but best.
-            Assert.That(Front((1.75, 100, 1, 0.10, 0.001), (2.0, 150, 1, 0.12, 0.001), (2.5, 200, 1, 0.05, 0.001), (3.0, 400, 1, 0.01, 0.001)),
+            Assert.That(Front((1.75, 100, 1, 0.10, 0.001), (2.0, 150, 1, 0.12, 0.001), (2.5, 200, 1, 0.05, 0.001),
+                (3.0, 400, 1, 0.01, 0.001)),
                 Is.EqualTo(new[] { 1.75, 2.5, 3.0 }));
         }
 
@@ -29,7 +30,8 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void EqualPointsBothStay() => Assert.That(Front((2.0, 100, 0, 0.1, 0.0), (2.5, 100, 0, 0.1, 0.0)), Is.EqualTo(new[] { 2.0, 2.5 }));
+        public void EqualPointsBothStay() =>
+        Assert.That(Front((2.0, 100, 0, 0.1, 0.0), (2.5, 100, 0, 0.1, 0.0)), Is.EqualTo(new[] { 2.0, 2.5 }));
 
         [Test]
         public void ADearerPointBeatsNothingHoweverWideItsBars() =>
@@ -73,21 +75,25 @@ namespace SphFluid.Tests
                 Is.EqualTo("flat,thesis,0.0833333,2,0.5,5,1728,3,100,10,0.1,0.02,height,device,2026-11-21"));
         }
 
-        static double[] Front(params (double Kappa, double Cost, double CostBar, double Error, double ErrorBar)[] points)
+        private static double[] Front(params (double Kappa, double Cost, double CostBar, double Error, double ErrorBar)[] points)
         {
             var rows = new ChartRows("device");
             foreach ((double kappa, double cost, double costBar, double error, double errorBar) in points)
+            {
                 Add(rows, kappa, cost, costBar, error, errorBar);
+            }
             return ParetoFront.Of(ChartPoint.Of(rows.Rows, "flat", "height")).Select(p => p.SupportRatio).OrderBy(k => k).ToArray();
         }
 
-        static void Add(ChartRows rows, double kappa, double cost, double costBar, double error, double errorBar)
+        private static void Add(ChartRows rows, double kappa, double cost, double costBar, double error, double errorBar)
         {
             for (int seed = 1; seed <= 3; seed++)
+            {
                 rows.Add(Run(kappa, seed), FlatCase.Result(cost + (seed - 2) * costBar, error + (seed - 2) * errorBar), "2026-11-21");
+            }
         }
 
-        static ChartRun Run(double kappa, int seed)
+        private static ChartRun Run(double kappa, int seed)
         {
             CaseParameters parameters = flat.Base(CaseMethod.Find("thesis"));
             parameters.SupportRatio = kappa;

@@ -9,9 +9,9 @@ namespace SphFluid.Tests
     /// <summary>Sentences and numbers of the report. FlatCase's floor is 0.04.</summary>
     public sealed class ReportSummaryTests
     {
-        static readonly FlatCase flat = new FlatCase("flat");
+        private static readonly FlatCase flat = new FlatCase("flat");
 
-        ChartRows table;
+        private ChartRows table;
 
         [SetUp]
         public void SetUp() => table = new ChartRows("device");
@@ -26,7 +26,8 @@ namespace SphFluid.Tests
 
             Assert.That(Sentences(), Is.EqualTo(new[]
             {
-                "An error of 10 %: standard from 120 ms of GPU time per simulated second (2 ms a frame); thesis, corrected never, 12 % at best.",
+                "An error of 10 %: standard from 120 ms of GPU time per simulated second (2 ms a frame); thesis, corrected never, 12 % " +
+                "at best.",
                 "The least error in 4 ms of a 60 Hz frame: standard 9 %; thesis, corrected 30 %.",
                 "At equal GPU time the error of standard is 0.35 to 0.57 times that of thesis, corrected.",
                 "The reference itself is good for 4 %: methods below that are equal.",
@@ -59,7 +60,8 @@ namespace SphFluid.Tests
             Add("thesis", 2.0, 400, 0.2);
             Add("standard", 2.0, 300, 0.045);
 
-            Assert.That(Sentences()[0], Does.StartWith("An error of 5 %: standard from 300 ms").And.Contain("thesis, corrected never, 20 % at best"));
+            Assert.That(Sentences()[0],
+                Does.StartWith("An error of 5 %: standard from 300 ms").And.Contain("thesis, corrected never, 20 % at best"));
         }
 
         [Test]
@@ -109,20 +111,21 @@ namespace SphFluid.Tests
             Assert.That(range.Ratios, Is.EqualTo("0.5 to 0.87"));
         }
 
-        string[] Sentences() => ReportSummary.Of(Reported()).ToArray();
+        private string[] Sentences() => ReportSummary.Of(Reported()).ToArray();
 
-        ReportCase Reported()
+        private ReportCase Reported()
         {
             IReadOnlyList<ChartPanel> group = ChartPanel.Of(flat, table.Rows);
             return new ReportCase(group, EqualCost.Of(group[0].Points, flat.Floor), new CaseCurves(flat, "no such folder"));
         }
 
-        void Add(string method, double kappa, double cost, double error, string failure = null, int resolution = 12)
+        private void Add(string method, double kappa, double cost, double error, string failure = null, int resolution = 12)
         {
             CaseParameters parameters = flat.Base(CaseMethod.Find(method));
             parameters.Resolution = resolution;
             parameters.SupportRatio = kappa;
-            table.Add(new ChartRun(new ChartConfig(flat, parameters, ChartFactor.Support), 1), FlatCase.Result(cost, error, failure), "2026-11-21");
+            table.Add(new ChartRun(new ChartConfig(flat, parameters, ChartFactor.Support), 1), FlatCase.Result(cost, error, failure),
+                "2026-11-21");
         }
     }
 }

@@ -21,7 +21,8 @@ namespace SphFluid.Tests
                 {
                     Assert.That(own.Max(p => p.Particles) / (double)own.Min(p => p.Particles), Is.GreaterThan(50.0), own.Key);
                     // Some share a padded length, some do not: a sort's padding can be told from what a particle costs.
-                    Assert.That(own.GroupBy(p => (int)System.Math.Ceiling(System.Math.Log(p.Particles, 2.0))).Any(g => g.Count() > 1), Is.True, own.Key);
+                    Assert.That(own.GroupBy(p => (int)System.Math.Ceiling(System.Math.Log(p.Particles, 2.0))).Any(g => g.Count() > 1),
+                        Is.True, own.Key);
                 }
             }
         }
@@ -29,7 +30,8 @@ namespace SphFluid.Tests
         [Test]
         public void AShortChartTimesFewer()
         {
-            Assert.That(StepCostPoint.Of(CaseMethod.All, true, true).Count, Is.LessThan(StepCostPoint.Of(CaseMethod.All, false, true).Count / 3));
+            Assert.That(StepCostPoint.Of(CaseMethod.All, true, true).Count,
+                Is.LessThan(StepCostPoint.Of(CaseMethod.All, false, true).Count / 3));
         }
 
         [Test]

@@ -8,7 +8,7 @@ namespace SphFluid.Tests
     /// <summary>Which chart answers.</summary>
     public sealed class ChartDataTests
     {
-        string project;
+        private string project;
 
         [SetUp]
         public void SetUp() => project = TestFolder.Fresh();
@@ -43,7 +43,8 @@ namespace SphFluid.Tests
         public void AFolderWithoutAChartIsRefused()
         {
             Directory.CreateDirectory(project);
-            Assert.That(() => ChartData.Read(project), Throws.TypeOf<CommandLineException>().With.Message.Contains("--chart").And.Message.Contains("accuracy.csv"));
+            Assert.That(() => ChartData.Read(project),
+                Throws.TypeOf<CommandLineException>().With.Message.Contains("--chart").And.Message.Contains("accuracy.csv"));
             File.WriteAllLines(Path.Combine(project, "accuracy.csv"), new[] { ChartRow.Format.FirstLine });
             Assert.That(() => ChartData.Read(project), Throws.TypeOf<CommandLineException>().With.Message.Contains("no runs"));
             File.WriteAllLines(Path.Combine(project, "accuracy.csv"), new[] { ChartRow.Format.FirstLine, "broken" });
@@ -58,7 +59,8 @@ namespace SphFluid.Tests
             var data = new ChartData("made up", chart.Rows, new StepCostRow[0]);
 
             Assert.That(data.CostOf(CaseMethod.Find("standard")), Is.Null, "a case that the catalogue has not");
-            Assert.That(chart.Data().CostOf(CaseMethod.Find("standard")).At(2000, 2.0), Is.EqualTo(MadeUpChart.StepTimeOf("standard", 2.0, 2000)).Within(1e-3));
+            Assert.That(chart.Data().CostOf(CaseMethod.Find("standard")).At(2000, 2.0),
+                Is.EqualTo(MadeUpChart.StepTimeOf("standard", 2.0, 2000)).Within(1e-3));
         }
 
         [Test]
@@ -68,7 +70,9 @@ namespace SphFluid.Tests
 
             Assert.That(names, Is.Unique);
             foreach (string word in new[] { "splash", "pool", "waves", "channel", "impact" })
+            {
                 Assert.That(ChooseArguments.Find(word), Is.Not.Null, word);
+            }
         }
 
         [TestCase("5%", 0.05)]
@@ -76,14 +80,14 @@ namespace SphFluid.Tests
         [TestCase("2.5 %", 0.025)]
         [TestCase("150%", 1.5)]
         public void AnErrorIsAPartOrPerCent(string word, double expected) =>
-            Assert.That(ChooseArguments.Parse(new[] { "player", "--", "--error", word }).Question.Error, Is.EqualTo(expected).Within(1e-12));
+            Assert.That(ChooseArguments.Parse(new[] { "player", "--", "--error", word }).Question.Error,
+                Is.EqualTo(expected).Within(1e-12));
 
-        void Write(string folder, string date, string device)
+        private void Write(string folder, string date, string device)
         {
             var chart = new MadeUpChart();
             chart.Sweep("standard", 2.0, 5.0, 6, 12);
-            foreach (ChartRow row in chart.Rows)
-                (row.Device, row.Date) = (device, date);
+            foreach (ChartRow row in chart.Rows) (row.Device, row.Date) = (device, date);
             ChartRow.Format.Write(Path.Combine(project, folder), chart.Rows);
         }
     }

@@ -8,8 +8,8 @@ namespace SphFluid.Tests
     /// <summary>Answers of a chart whose laws are known.</summary>
     public sealed class ChooserTests
     {
-        MadeUpChart chart;
-        Chooser chooser;
+        private MadeUpChart chart;
+        private Chooser chooser;
 
         [SetUp]
         public void SetUp()
@@ -46,7 +46,8 @@ namespace SphFluid.Tests
         public void TheFastestWithTheErrorIsChosen()
         {
             ChoiceAnswer answer = Ask(0.2, double.NaN);
-            ChoiceOption expected = answer.Options.Where(o => Math.Sqrt(o.Error.Value * o.Error.High) <= 0.2).OrderBy(o => o.Milliseconds.Likely).First();
+            ChoiceOption expected = answer.Options.Where(o => Math.Sqrt(o.Error.Value * o.Error.High) <= 0.2)
+                .OrderBy(o => o.Milliseconds.Likely).First();
 
             Assert.That(answer.Best, Is.SameAs(expected));
             // 20/n² of κ = 2.5: eleven along the length; 3/n of κ = 2 needs sixteen.
@@ -61,7 +62,8 @@ namespace SphFluid.Tests
             ChoiceOption best = Ask(double.NaN, 6.0).Best;
 
             Assert.That(best.Milliseconds.Likely, Is.LessThanOrEqualTo(6.0));
-            Assert.That(Ask(double.NaN, 6.0).Options.Where(o => o.Milliseconds.Likely <= 6.0).Min(o => o.Error.Likely), Is.EqualTo(best.Error.Likely));
+            Assert.That(Ask(double.NaN, 6.0).Options.Where(o => o.Milliseconds.Likely <= 6.0).Min(o => o.Error.Likely),
+                Is.EqualTo(best.Error.Likely));
         }
 
         [Test]
@@ -95,7 +97,9 @@ namespace SphFluid.Tests
             Assert.That(answer.Fastest.Milliseconds.Likely, Is.GreaterThan(2.0));
             Assert.That(answer.MostAccurate.Milliseconds.Likely, Is.LessThanOrEqualTo(2.0));
             Assert.That(answer.MostAccurate.Error.Likely, Is.GreaterThan(0.1));
-            Assert.That(text, Does.Contain("keeps an error of at most 10 % and at most 2 ms a frame at once").And.Contain("with that error: ").And.Contain("within that time: "));
+            Assert.That(text,
+                Does.Contain("keeps an error of at most 10 % and at most 2 ms a frame at once").And.Contain("with that error: ").And
+                    .Contain("within that time: "));
         }
 
         [Test]
@@ -104,7 +108,8 @@ namespace SphFluid.Tests
             ChoiceAnswer answer = Ask(double.NaN, 0.001);
 
             Assert.That(answer.Best, Is.Null);
-            Assert.That(string.Join("\n", ChoiceText.Lines(answer)), Does.Contain("the least time that was measured").And.Contain("a coarser spacing was not measured"));
+            Assert.That(string.Join("\n", ChoiceText.Lines(answer)),
+                Does.Contain("the least time that was measured").And.Contain("a coarser spacing was not measured"));
         }
 
         [Test]
@@ -128,7 +133,8 @@ namespace SphFluid.Tests
             ChoiceQuestion question = Question(0.2, double.NaN);
             question.FramesPerSecond = 30.0;
 
-            Assert.That(chooser.Answer(question).Options[0].Milliseconds.Value, Is.EqualTo(2.0 * Ask(0.2, double.NaN).Options[0].Milliseconds.Value).Within(1e-9));
+            Assert.That(chooser.Answer(question).Options[0].Milliseconds.Value,
+                Is.EqualTo(2.0 * Ask(0.2, double.NaN).Options[0].Milliseconds.Value).Within(1e-9));
         }
 
         [Test]
@@ -161,7 +167,8 @@ namespace SphFluid.Tests
             ChoiceQuestion stiff = Question(0.2, double.NaN);
             stiff.Compression = 0.001;
 
-            Assert.That(() => chooser.Answer(stiff), Throws.TypeOf<CommandLineException>().With.Message.Contains("--compression").And.Message.Contains("4 %"));
+            Assert.That(() => chooser.Answer(stiff),
+                Throws.TypeOf<CommandLineException>().With.Message.Contains("--compression").And.Message.Contains("4 %"));
         }
 
         [Test]
@@ -186,7 +193,8 @@ namespace SphFluid.Tests
         [Test]
         public void QuestionsWithoutAnAnswerAreRefused()
         {
-            Assert.That(() => Ask(double.NaN, double.NaN), Throws.TypeOf<CommandLineException>().With.Message.Contains("--error").And.Message.Contains("--ms"));
+            Assert.That(() => Ask(double.NaN, double.NaN),
+                Throws.TypeOf<CommandLineException>().With.Message.Contains("--error").And.Message.Contains("--ms"));
             Assert.That(() => Ask(0.03, double.NaN), Throws.TypeOf<CommandLineException>().With.Message.Contains("good for 4 %"));
             Assert.That(() => chooser.Answer(new ChoiceQuestion { Case = new FlatCase("another"), Error = 0.1 }),
                 Throws.TypeOf<CommandLineException>().With.Message.Contains("./run chart --case another"));
@@ -223,21 +231,27 @@ namespace SphFluid.Tests
             row.MeasuredError = row.Answer.Error.Value;
             string[] cells = VerificationRow.Format.Line(row).Split(',');
 
-            Assert.That((row.TimeWithin, VerificationRow.IsNear(row.TimeRatio / row.Pace), row.ErrorWithin), Is.EqualTo((false, true, true)));
+            Assert.That((row.TimeWithin, VerificationRow.IsNear(row.TimeRatio / row.Pace), row.ErrorWithin),
+                Is.EqualTo((false, true, true)));
             Assert.That(cells[VerificationRow.Format.Names.ToList().IndexOf("paced_ratio")], Is.EqualTo("0.75"));
         }
 
         [Test]
         public void ThePictureHasWhatWasAskedAndTheAnswer()
         {
-            string asked = string.Join("\n", new ChoiceScript(Ask(0.2, 50.0)).Lines()), nothing = string.Join("\n", new ChoiceScript(Ask(0.1, 2.0)).Lines());
+            string asked = string.Join("\n", new ChoiceScript(Ask(0.2, 50.0)).Lines()),
+                nothing = string.Join("\n", new ChoiceScript(Ask(0.1, 2.0)).Lines());
 
-            Assert.That(asked, Does.Contain("$answer << END").And.Contain("first 0.2 to graph 1").And.Contain("from 50, graph 0").And.Contain("the answer, and where 19 of 20"));
-            Assert.That(nothing, Does.Contain("the nearest in both directions").And.Contain("nothing that was measured has what was asked for"));
+            Assert.That(asked,
+                Does.Contain("$answer << END").And.Contain("first 0.2 to graph 1").And.Contain("from 50, graph 0").And
+                    .Contain("the answer, and where 19 of 20"));
+            Assert.That(nothing,
+                Does.Contain("the nearest in both directions").And.Contain("nothing that was measured has what was asked for"));
         }
 
-        ChoiceAnswer Ask(double error, double milliseconds) => chooser.Answer(Question(error, milliseconds));
+        private ChoiceAnswer Ask(double error, double milliseconds) => chooser.Answer(Question(error, milliseconds));
 
-        ChoiceQuestion Question(double error, double milliseconds) => new ChoiceQuestion { Case = chart.Case, Error = error, Milliseconds = milliseconds };
+        private ChoiceQuestion Question(double error, double milliseconds) =>
+            new ChoiceQuestion { Case = chart.Case, Error = error, Milliseconds = milliseconds };
     }
 }

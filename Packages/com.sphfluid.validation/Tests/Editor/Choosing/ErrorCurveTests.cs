@@ -9,7 +9,7 @@ namespace SphFluid.Tests
     /// <summary>Predicted errors and their intervals, from errors whose law is known.</summary>
     public sealed class ErrorCurveTests
     {
-        static readonly int[] resolutions = { 10, 13, 20, 30 };
+        private static readonly int[] resolutions = { 10, 13, 20, 30 };
 
         [Test]
         public void APowerLawIsPredictedBetweenItsPoints()
@@ -17,7 +17,9 @@ namespace SphFluid.Tests
             ErrorCurve curve = Curve(n => new[] { 4.0 / (n * n) });
 
             foreach (double n in new[] { 10.0, 11.0, 16.0, 24.0, 30.0 })
+            {
                 Assert.That(curve.At(n).Value, Is.EqualTo(4.0 / (n * n)).Within(1e-9), $"{n}");
+            }
         }
 
         [Test]
@@ -40,8 +42,7 @@ namespace SphFluid.Tests
 
             Assert.That(chance.Value, Is.EqualTo(0.016).Within(1e-12));
             Assert.That(chance.Contains(0.002), Is.True, "what it was is possible");
-            for (int n = 10; n < 30; n++)
-                Assert.That(curve.At(n).Value, Is.GreaterThanOrEqualTo(curve.At(n + 1).Value - 1e-12), $"{n}");
+            for (int n = 10; n < 30; n++) Assert.That(curve.At(n).Value, Is.GreaterThanOrEqualTo(curve.At(n + 1).Value - 1e-12), $"{n}");
         }
 
         [Test]
@@ -102,12 +103,14 @@ namespace SphFluid.Tests
         public void CurvesThatWanderHaveWiderIntervals()
         {
             double[] zigzag = { 0.04, 0.01, 0.03, 0.005 };
-            LogCurve straight = Curve(n => new[] { 1.0 / n }).Measured, wandering = Curve(n => new[] { zigzag[Array.IndexOf(resolutions, n)] }).Measured;
+            LogCurve straight = Curve(n => new[] { 1.0 / n }).Measured,
+                wandering = Curve(n => new[] { zigzag[Array.IndexOf(resolutions, n)] }).Measured;
 
-            Assert.That(CurveSpread.Of(new[] { wandering }, ErrorModel.Expected).Wander, Is.GreaterThan(4.0 * CurveSpread.Of(new[] { straight }, ErrorModel.Expected).Wander));
+            Assert.That(CurveSpread.Of(new[] { wandering }, ErrorModel.Expected).Wander,
+                Is.GreaterThan(4.0 * CurveSpread.Of(new[] { straight }, ErrorModel.Expected).Wander));
         }
 
-        static ErrorCurve Curve(Func<int, double[]> errors, double floor = 0.0, params double[] failed) =>
+        private static ErrorCurve Curve(Func<int, double[]> errors, double floor = 0.0, params double[] failed) =>
             new ErrorCurve(resolutions.Select(n => ((double)n, (IReadOnlyList<double>)errors(n))).ToList(), failed, floor);
     }
 }

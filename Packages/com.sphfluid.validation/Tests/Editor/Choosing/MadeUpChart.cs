@@ -6,16 +6,18 @@ using SphFluid.Validation;
 namespace SphFluid.Tests
 {
     /// <summary>A chart of a cube's rest whose errors and times follow known laws.</summary>
-    sealed class MadeUpChart
+    internal sealed class MadeUpChart
     {
         public const string Device = "a device";
 
         public readonly FlatCase Case = new FlatCase("flat", 12);
-        readonly ChartRows rows = new ChartRows(Device);
+        private readonly ChartRows rows = new ChartRows(Device);
 
         public IReadOnlyList<ChartRow> Rows => rows.Rows;
 
-        /// <summary>Error of a run: at κ = 2 first, at 2.5 second order; the thesis errs three times as much. Floor 0.04 as the case has.</summary>
+        /// <summary>
+        /// Error of a run: at κ = 2 first, at 2.5 second order; the thesis errs three times as much. Floor 0.04 as the case has.
+        /// </summary>
         public static double ErrorOf(string method, double ratio, int resolution) =>
             (method == "standard" ? 1.0 : 3.0) * (ratio < 2.25 ? 3.0 / resolution : 20.0 / resolution / resolution);
 
@@ -29,23 +31,24 @@ namespace SphFluid.Tests
         {
             foreach (int resolution in resolutions)
             {
-                for (int seed = 1; seed <= 3; seed++)
-                    Add(method, ratio, soundSpeed, resolution, seed);
+                for (int seed = 1; seed <= 3; seed++) Add(method, ratio, soundSpeed, resolution, seed);
             }
         }
 
-        public void Add(string method, double ratio, double soundSpeed, int resolution, int seed, string failure = null, double errorFactor = 1.0)
+        public void Add(string method, double ratio, double soundSpeed, int resolution, int seed, string failure = null,
+            double errorFactor = 1.0)
         {
             CaseParameters parameters = Case.Base(CaseMethod.Find(method));
             (parameters.SupportRatio, parameters.SoundSpeedRatio, parameters.Resolution) = (ratio, soundSpeed, resolution);
             var run = new ChartRun(new ChartConfig(Case, parameters, ChartFactor.Several), seed);
             double step = StepTimeOf(method, ratio, run.Config.Particles) * (1.0 + 0.01 * (seed - 2));
-            CaseResult result = FlatCase.Result(step / run.Config.TimeStep, errorFactor * ErrorOf(method, ratio, resolution) * (1.0 + 0.02 * (seed - 2)), failure);
+            CaseResult result = FlatCase.Result(step / run.Config.TimeStep,
+                errorFactor * ErrorOf(method, ratio, resolution) * (1.0 + 0.02 * (seed - 2)), failure);
             result.TimeStep = run.Config.TimeStep;
             rows.Add(run, result, "2026-11-25");
         }
 
-        static List<StepCostRow> StepCosts() =>
+        private static List<StepCostRow> StepCosts() =>
             (from method in new[] { "standard", "thesis" }
              from ratio in new[] { 2.0, 2.5 }
              from count in new[] { 500, 1000, 2000, 4000, 16000 }

@@ -15,10 +15,10 @@ namespace SphFluid.Tests
             double[] truth = { 3.0, 0.25e-3, 0.0 };
             List<double[]> terms = Terms(12);
 
-            double[] fit = NonnegativeFit.Solve(terms, terms.Select(t => NonnegativeFit.Dot(t, truth)).ToList(), Enumerable.Repeat(1.0, 12).ToList());
+            double[] fit = NonnegativeFit.Solve(terms, terms.Select(t => NonnegativeFit.Dot(t, truth)).ToList(),
+                Enumerable.Repeat(1.0, 12).ToList());
 
-            for (int i = 0; i < 3; i++)
-                Assert.That(fit[i], Is.EqualTo(truth[i]).Within(1e-9 * 3.0), $"coefficient {i}");
+            for (int i = 0; i < 3; i++) Assert.That(fit[i], Is.EqualTo(truth[i]).Within(1e-9 * 3.0), $"coefficient {i}");
         }
 
         [Test]
@@ -34,7 +34,8 @@ namespace SphFluid.Tests
             for (int j = 0; j < fit.Length; j++)
             {
                 double scale = terms.Sum(t => t[j] * t[j]);
-                double gradient = Enumerable.Range(0, terms.Count).Sum(s => weights[s] * terms[s][j] * (NonnegativeFit.Dot(terms[s], fit) - values[s])) / Math.Sqrt(scale);
+                double gradient = Enumerable.Range(0, terms.Count)
+                    .Sum(s => weights[s] * terms[s][j] * (NonnegativeFit.Dot(terms[s], fit) - values[s])) / Math.Sqrt(scale);
                 // Zero where the coefficient is free; uphill where it is held at zero.
                 if (fit[j] > 0.0)
                     Assert.That(gradient, Is.EqualTo(0.0).Within(1e-6), $"coefficient {j}");
@@ -58,6 +59,7 @@ namespace SphFluid.Tests
         public void NoSamplesAreRefused() =>
             Assert.That(() => NonnegativeFit.Solve(new double[0][], new double[0], new double[0]), Throws.ArgumentException);
 
-        static List<double[]> Terms(int count) => Enumerable.Range(1, count).Select(i => new[] { 1.0, 500.0 * i, Math.Pow(500.0 * i, 1.5) }).ToList();
+        private static List<double[]> Terms(int count) =>
+            Enumerable.Range(1, count).Select(i => new[] { 1.0, 500.0 * i, Math.Pow(500.0 * i, 1.5) }).ToList();
     }
 }

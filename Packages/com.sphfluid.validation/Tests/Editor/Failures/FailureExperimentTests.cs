@@ -5,10 +5,13 @@ using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>Each failure mode of Documentation~/failure-modes.md: the failing run is named by its detector, the cured one is not, and the figures part.</summary>
+    /// <summary>
+    /// Each failure mode of Documentation~/failure-modes.md: the failing run is named by its detector, the cured one is not, and the
+    /// figures part.
+    /// </summary>
     public sealed class FailureExperimentTests
     {
-        FluidShaderSet shaders;
+        private FluidShaderSet shaders;
 
         [SetUp]
         public void CreateShaders() => shaders = FailureShaders.Create();
@@ -42,7 +45,8 @@ namespace SphFluid.Tests
         [TestCase("overlapping-start", 0.3, 2.0, 0.0, 0.05)]
         [TestCase("asymmetric-pairs", 0.1, 0.2, 0.0, 0.0)]
         [TestCase("stale-grid", 0.05, 0.3, 0.0, 0.0)]
-        public void TheFailingRunIsNamedAndTheCuredIsNot(string name, double failingLow, double failingHigh, double curedLow, double curedHigh, int steps = 0)
+        public void TheFailingRunIsNamedAndTheCuredIsNot(string name, double failingLow, double failingHigh, double curedLow,
+            double curedHigh, int steps = 0)
         {
             FailureExperiment experiment = FailureCatalogue.Find(name);
             if (steps > 0) experiment.Failing.Steps = experiment.Cured.Steps = steps;
@@ -73,7 +77,8 @@ namespace SphFluid.Tests
             Assert.That(soft, Is.EqualTo(expected).Within(0.025), "less half a spacing of 24 for floor and surface");
         }
 
-        (double failing, double cured) Check(FailureExperiment experiment, double failingLow, double failingHigh, double curedLow, double curedHigh)
+        private (double failing, double cured) Check(FailureExperiment experiment, double failingLow, double failingHigh, double curedLow,
+            double curedHigh)
         {
             bool neighbours = experiment.Failure == FluidFailure.AsymmetricPairs || experiment.Failure == FluidFailure.StaleGrid;
             ComputeShader audit = neighbours ? FailureShaders.Audit() : null;
@@ -103,20 +108,20 @@ namespace SphFluid.Tests
             Vector3 half = 0.5f * stress.Settings.DomainSize;
             Assert.That(stress.EndStatistics.NonFinite + stress.Counters.NonFinite, Is.Zero, "not finite");
             Assert.That(stress.EndStatistics.ParticleCount, Is.EqualTo(stress.Run.Start.Length));
-            Assert.That(stress.End.LocalPositions.All(p => Mathf.Abs(p.x) <= half.x && Mathf.Abs(p.y) <= half.y && Mathf.Abs(p.z) <= half.z), Is.True, "inside");
+            Assert.That(stress.End.LocalPositions.All(p => Mathf.Abs(p.x) <= half.x && Mathf.Abs(p.y) <= half.y &&
+                Mathf.Abs(p.z) <= half.z), Is.True, "inside");
             Assert.That(stress.End.Ids.Select((id, i) => id == i).All(same => same), Is.True, "every particle once");
             Assert.That(stress.Statistics.Max(v => v.MaxNeighbours), Is.EqualTo(MostNeighbours(stress)), "counted");
         }
 
-        static int MostNeighbours(FailureResult result) => result.Settings.PeriodLength == Vector3.zero
+        private static int MostNeighbours(FailureResult result) => result.Settings.PeriodLength == Vector3.zero
             ? result.States.Max(s => NeighbourCount.Of(s.LocalPositions, result.Settings.SupportRadius).Maximum)
             : result.States.Max(s => MostAcrossFaces(s.LocalPositions, result.Settings));
 
-        static int MostAcrossFaces(Vector3[] p, FluidSolverSettings settings)
+        private static int MostAcrossFaces(Vector3[] p, FluidSolverSettings settings)
         {
             var none = new System.Collections.Generic.IReadOnlyList<int>[p.Length];
-            for (int i = 0; i < none.Length; i++)
-                none[i] = new int[0];
+            for (int i = 0; i < none.Length; i++) none[i] = new int[0];
             NeighbourAudit audit = NeighbourAudit.Of(p, settings.SupportRadius, settings.PeriodLength, none);
             return audit.Missing.GroupBy(e => e.Particle).Max(g => g.Count());
         }

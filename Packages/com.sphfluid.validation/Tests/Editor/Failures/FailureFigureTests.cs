@@ -8,7 +8,7 @@ namespace SphFluid.Tests
     /// <summary>Failures against the figures that theory gives: lattice sums, limits of steps, heights of columns.</summary>
     public sealed class FailureFigureTests
     {
-        FluidShaderSet shaders;
+        private FluidShaderSet shaders;
 
         [SetUp]
         public void CreateShaders() => shaders = FailureShaders.Create();
@@ -77,7 +77,8 @@ namespace SphFluid.Tests
         {
             FailureRun run = InteractionFailures.PairsInTheBulk();
             run.Steps = 8;
-            FailureResult result = new FailureExperiment("pairs", FluidFailure.Pairing, run, run, "", r => r.EndStatistics.Clumped).Run(false, shaders);
+            FailureResult result =
+                new FailureExperiment("pairs", FluidFailure.Pairing, run, run, "", r => r.EndStatistics.Clumped).Run(false, shaders);
             Assert.That(result.Statistics[0].Clumped, Is.EqualTo(run.Start.Length), "all at the start");
             Assert.That(result.Names(FluidFailure.Pairing), Is.True, result.Named);
             Assert.That(result.Figure, Is.Zero, "at the end");
@@ -87,9 +88,12 @@ namespace SphFluid.Tests
         public void ThrownParticlesStayBeforeASheetUpToTheLimit([Values(0.1f, 0.4f)] float displacement, [Values(0f, 9.81f)] float gravity)
         {
             FailureRun run = WallFailures.Drop(displacement, gravity);
-            FailureResult result = new FailureExperiment("thrown", FluidFailure.Tunnelling, run, run, "", WallFailures.Behind).Run(false, shaders);
-            Assert.That(result.Statistics[0].MaxSpeed * result.Settings.TimeStep, Is.EqualTo(displacement * result.Settings.Spacing).Within(1).Percent, "spacings a step");
-            Assert.That(result.States[0].LocalPositions.Max(p => p.y), Is.LessThan(displacement * result.Settings.Spacing * run.Steps), "all can reach the sheet");
+            FailureResult result =
+                new FailureExperiment("thrown", FluidFailure.Tunnelling, run, run, "", WallFailures.Behind).Run(false, shaders);
+            Assert.That(result.Statistics[0].MaxSpeed * result.Settings.TimeStep,
+                Is.EqualTo(displacement * result.Settings.Spacing).Within(1).Percent, "spacings a step");
+            Assert.That(result.States[0].LocalPositions.Max(p => p.y), Is.LessThan(displacement * result.Settings.Spacing * run.Steps),
+                "all can reach the sheet");
             Assert.That(result.Figure, Is.Zero, "share behind the sheet");
         }
     }

@@ -10,7 +10,8 @@ namespace SphFluid.Tests
     public sealed class NeighbourAuditTests
     {
         // On a line of 10 m: 0 and 1 near; 2 far; 3 near to 0 across the faces.
-        static readonly Vector3[] Line = { new Vector3(-4.5f, 0, 0), new Vector3(-3.7f, 0, 0), new Vector3(0, 0, 0), new Vector3(4.8f, 0, 0) };
+        private static readonly Vector3[] Line = { new Vector3(-4.5f, 0, 0), new Vector3(-3.7f, 0, 0), new Vector3(0, 0, 0),
+            new Vector3(4.8f, 0, 0) };
 
         [Test]
         public void RightListsHaveNoErrors()
@@ -39,12 +40,14 @@ namespace SphFluid.Tests
 
         [Test]
         public void AOneWayPairIsAnAsymmetry() =>
-            Assert.That(Audit(Vector3.zero, new[] { 1 }, new int[0], new int[0], new int[0]).Findings.Single().Failure, Is.EqualTo(FluidFailure.AsymmetricPairs));
+            Assert.That(Audit(Vector3.zero, new[] { 1 }, new int[0], new int[0], new int[0]).Findings.Single().Failure,
+                Is.EqualTo(FluidFailure.AsymmetricPairs));
 
         [Test]
         public void WrongListsAreRefused()
         {
-            Assert.That(() => Audit(Vector3.zero, new[] { 4 }, new int[0], new int[0], new int[0]), Throws.ArgumentException.With.Message.Contains("particle 4"));
+            Assert.That(() => Audit(Vector3.zero, new[] { 4 }, new int[0], new int[0], new int[0]),
+                Throws.ArgumentException.With.Message.Contains("particle 4"));
             Assert.That(() => Audit(Vector3.zero, new[] { 1 }), Throws.ArgumentException.With.Message.Contains("1 lists"));
         }
 
@@ -68,7 +71,8 @@ namespace SphFluid.Tests
                     NeighbourAudit audit = NeighbourAudit.Of(solver, FailureShaders.Audit());
                     Assert.That(audit.WrongCells, Is.Zero);
                     Assert.That(audit.IsRight, Is.True, string.Join("; ", audit.Missing.Take(3)));
-                    Assert.That(audit.Pairs, count == 1 ? (NUnit.Framework.Constraints.IResolveConstraint)Is.Zero : Is.GreaterThan(count), "there are pairs to compare");
+                    Assert.That(audit.Pairs, count == 1 ? (NUnit.Framework.Constraints.IResolveConstraint)Is.Zero : Is.GreaterThan(count),
+                        "there are pairs to compare");
 
                     solver.Particles.SetData(ParticleSets.Random(count, domain, 0f, count + 1));
                     NeighbourAudit stale = NeighbourAudit.Of(solver, FailureShaders.Audit());
@@ -82,6 +86,7 @@ namespace SphFluid.Tests
             }
         }
 
-        static NeighbourAudit Audit(Vector3 period, params int[][] found) => NeighbourAudit.Of(Line, 1f, period, (IReadOnlyList<IReadOnlyList<int>>)found);
+        private static NeighbourAudit Audit(Vector3 period, params int[][] found) =>
+            NeighbourAudit.Of(Line, 1f, period, (IReadOnlyList<IReadOnlyList<int>>)found);
     }
 }

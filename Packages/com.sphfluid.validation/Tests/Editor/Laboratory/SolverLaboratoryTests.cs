@@ -7,9 +7,9 @@ namespace SphFluid.Tests
 {
     public sealed class SolverLaboratoryTests
     {
-        static readonly Vector3 Domain = 0.4f * Vector3.one;
+        private static readonly Vector3 Domain = 0.4f * Vector3.one;
 
-        FluidShaderSet shaders;
+        private FluidShaderSet shaders;
 
         [SetUp]
         public void CreateShaders()
@@ -63,14 +63,14 @@ namespace SphFluid.Tests
         }
 
         // Cells with a range after a setup at other places.
-        static int Ranged(FluidSolver solver, FluidParticle[] places, string without)
+        private static int Ranged(FluidSolver solver, FluidParticle[] places, string without)
         {
             solver.Particles.SetData(places);
             GpuTest.Run(cmd => SolverLaboratory.RecordNeighbourSetup(solver, cmd, without));
             return GpuTest.Read<Vector2Int>(solver.GridIndices, solver.CellCount).Count(range => range.y > range.x);
         }
 
-        FluidSolver Solver(FluidMethodKind method, out FluidSolverSettings settings)
+        private FluidSolver Solver(FluidMethodKind method, out FluidSolverSettings settings)
         {
             FluidRuleInput input = method == FluidMethodKind.Thesis ? FluidRuleInput.ThesisWater : FluidRuleInput.Water;
             input.Method = method;

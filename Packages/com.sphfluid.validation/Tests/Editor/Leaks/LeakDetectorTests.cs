@@ -9,7 +9,7 @@ namespace SphFluid.Tests
     /// <summary>The detectors of leaks against exact signs and made-up motions.</summary>
     public sealed class LeakDetectorTests
     {
-        static readonly Vector3[] triangle = { Vector3.zero, Vector3.forward, Vector3.right };
+        private static readonly Vector3[] triangle = { Vector3.zero, Vector3.forward, Vector3.right };
 
         [Test]
         public void APathThroughATriangleIsNeverOverlooked()
@@ -25,8 +25,7 @@ namespace SphFluid.Tests
                 met += intersects ? 1 : 0;
                 // What lies in the plane but for rounding counts as in it.
                 bool inPlane = ExactGeometry.Distance(p, a, b, c) < 1e-6 && ExactGeometry.Distance(q, a, b, c) < 1e-6;
-                if (intersects && !inPlane)
-                    Assert.That(PathDetector.Intersects(p, q, a, b, c), Is.True, $"{p} to {q}, {a} {b} {c}");
+                if (intersects && !inPlane) Assert.That(PathDetector.Intersects(p, q, a, b, c), Is.True, $"{p} to {q}, {a} {b} {c}");
             }
             Assert.That(met, Is.GreaterThan(1000));
         }
@@ -91,7 +90,8 @@ namespace SphFluid.Tests
             }
             Assert.That(inside, Is.GreaterThan(100));
             Assert.That(winding.At(Vector3.zero), Is.EqualTo(1.0).Within(1e-12));
-            Assert.That(new WindingNumber(new[] { Vector3.right, Vector3.up, Vector3.forward }).At(Vector3.zero), Is.EqualTo(-0.125).Or.EqualTo(0.125).Within(1e-12), "an octant");
+            Assert.That(new WindingNumber(new[] { Vector3.right, Vector3.up, Vector3.forward }).At(Vector3.zero),
+                Is.EqualTo(-0.125).Or.EqualTo(0.125).Within(1e-12), "an octant");
         }
 
         [Test]
@@ -105,7 +105,8 @@ namespace SphFluid.Tests
                 Surface = LeakMeshes.Sheet(new[] { 0f, 0.4f }, new[] { -0.4f, 0.4f }, 0f).SelectMany(p => new[] { p }).Concat(
                     LeakMeshes.Sheet(new[] { 0f, 0.4f }, new[] { -0.4f, 0.4f }, 0f).Select(p => new Vector3(0f, p.x, p.z))).ToArray(),
             };
-            Vector3 stuck = new Vector3(0.1f * dx, 0.2f, 0f), falling = new Vector3(0.5f * dx, 0.3f, 0f), lying = new Vector3(0.2f, 0.5f * dx, 0f);
+            Vector3 stuck = new Vector3(0.1f * dx, 0.2f, 0f), falling = new Vector3(0.5f * dx, 0.3f, 0f),
+                lying = new Vector3(0.2f, 0.5f * dx, 0f);
             Vector3 carried = lying + dx * Vector3.up, hovering = new Vector3(0.2f, 0.2f, 0f);
             var end = new[] { stuck, falling, lying, carried, hovering };
 

@@ -9,7 +9,7 @@ namespace SphFluid.Tests
     /// <summary>What the leak scenes read and write.</summary>
     public sealed class LeakFileTests
     {
-        string folder;
+        private string folder;
 
         [SetUp]
         public void MakeFolder()
@@ -24,7 +24,11 @@ namespace SphFluid.Tests
         [Test]
         public void ReadsFacesOfAnObjFile()
         {
-            Vector3[] corners = ObjFile.Read(Written("# a square, then a triangle\nv 0 0 0\nv 1 0 0\nv 1 1e0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1 4//1\nf -4 -3/2 -2/2/1\n"));
+            Vector3[] corners =
+                ObjFile.Read(
+                    Written(
+                        "# a square, then a triangle\nv 0 0 0\nv 1 0 0\nv 1 1e0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1 4//1\nf -4 -3/2 " +
+                        "-2/2/1\n"));
 
             Vector3 a = Vector3.zero, b = Vector3.right, c = new Vector3(1f, 1f, 0f), d = Vector3.up;
             Assert.That(corners, Is.EqualTo(new[] { a, b, c, a, c, d, a, b, c }));
@@ -62,7 +66,8 @@ namespace SphFluid.Tests
         [Test]
         public void TakesScenesAndFolder()
         {
-            LeakArguments all = LeakArguments.Parse(new[] { "player", "--" }), some = LeakArguments.Parse(new[] { "player", "--", "--scene", "knife", "cup", "--out=there" });
+            LeakArguments all = LeakArguments.Parse(new[] { "player", "--" }),
+                some = LeakArguments.Parse(new[] { "player", "--", "--scene", "knife", "cup", "--out=there" });
 
             Assert.That(all.Scenes, Is.EqualTo(LeakSceneEntry.All));
             Assert.That(some.Scenes.Select(s => s.Name), Is.EqualTo(new[] { "knife", "cup" }));
@@ -78,7 +83,7 @@ namespace SphFluid.Tests
             Assert.That(exception.Message, Does.Contain(flag).And.Contain(mentioned));
         }
 
-        string Written(string text)
+        private string Written(string text)
         {
             string file = Path.Combine(folder, "shape.obj");
             File.WriteAllText(file, text);

@@ -9,7 +9,7 @@ namespace SphFluid.Tests
     /// <summary>The first moments of each scene: nothing leaks, sticks or gains energy.</summary>
     public sealed class LeakSceneTests
     {
-        static LeakResult Play(LeakScene scene)
+        private static LeakResult Play(LeakScene scene)
         {
             FluidShaderSet shaders = TestShaders.CreateSet();
             try
@@ -23,16 +23,23 @@ namespace SphFluid.Tests
             }
         }
 
-        // Of a pool, what is in the surfaces or within the support radius of them, at the start or at the end, feels them: the rest only takes time.
-        static void KeepNear(LeakScene scene)
+        // Of a pool, what is in the surfaces or within the support radius of them, at the start or at the end, feels them: the rest only
+        // takes time.
+        private static void KeepNear(LeakScene scene)
         {
             var meshes = new List<TriangleMesh>();
             foreach (LeakBody body in scene.Bodies.Where(b => b.Mesh.IsClosed))
                 foreach (int frame in new[] { 0, scene.Frames })
-                    meshes.Add(TriangleMesh.FromCorners((body.Shape?.Invoke(frame) ?? body.Surface).Select(body.PoseAt(frame).ToSimulation).ToArray()));
+                {
+                    meshes
+                        .Add(
+                            TriangleMesh.FromCorners((body.Shape?.Invoke(frame) ?? body.Surface).Select(body.PoseAt(frame).ToSimulation)
+                                .ToArray()));
+                }
             if (meshes.Count == 0) return;
             float reach = scene.Settings.SupportRadius;
-            scene.Particles = CaseLattice.Particles(scene.Particles.Select(p => p.Position).Where(p => meshes.Any(m => m.Contains(p) || m.IsNear(p, reach))).ToList());
+            scene.Particles = CaseLattice.Particles(scene.Particles.Select(p => p.Position)
+                .Where(p => meshes.Any(m => m.Contains(p) || m.IsNear(p, reach))).ToList());
         }
 
         [TestCase("cup", 5.0, 12)]
@@ -76,7 +83,9 @@ namespace SphFluid.Tests
 
             LeakResult result = Play(scene);
 
-            TestContext.WriteLine($"{scene.Particles.Length} particles, {result.Steps} steps, {result.Counters.Contacts} contacts, {result.Counters.Squeezed} squeezed, {result.Escapes} escaped");
+            TestContext.WriteLine(
+                $"{scene.Particles.Length} particles, {result.Steps} steps, {result.Counters.Contacts} contacts, " +
+                $"{result.Counters.Squeezed} squeezed, {result.Escapes} escaped");
             Assert.That(result.Counters.Squeezed, Is.Positive);
             Assert.That(result.Escapes, Is.LessThanOrEqualTo(result.Counters.Squeezed));
             Assert.That(result.Failure, Is.Empty);
@@ -90,7 +99,9 @@ namespace SphFluid.Tests
 
             LeakResult result = Play(scene);
 
-            TestContext.WriteLine($"energy {result.EnergyRatio}, first layer {result.Rest.Value.FirstLayer}, pressed {result.Rest.Value.Pressed}, held {result.Rest.Value.Held}");
+            TestContext.WriteLine(
+                $"energy {result.EnergyRatio}, first layer {result.Rest.Value.FirstLayer}, pressed {result.Rest.Value.Pressed}, held " +
+                $"{result.Rest.Value.Held}");
             Assert.That(result.Failure, Is.Empty);
             Assert.That(result.EnergyRatio, Is.LessThan(1.01));
             Assert.That(result.Rest.Value.FirstLayer, Is.EqualTo(0.5).Within(0.05));

@@ -30,15 +30,16 @@ namespace SphFluid.Tests
         [Test]
         public void ScriptsBehindOneThatCannotBeDrawnAreWrittenToo()
         {
-            string problem = GnuplotScript.Draw(folder, new[] { new LineScript("broken", "plott x", "png"), new LineScript("whole", "print 1", "png") });
+            string problem =
+                GnuplotScript.Draw(folder, new[] { new LineScript("broken", "plott x", "png"), new LineScript("whole", "print 1", "png") });
 
             Assert.That(problem, Does.Contain("broken.gp"));
             Assert.That(File.ReadAllLines(Path.Combine(folder, "whole.gp")).Last(), Is.EqualTo("print 1"));
         }
 
-        sealed class LineScript : GnuplotScript
+        private sealed class LineScript : GnuplotScript
         {
-            readonly string line;
+            private readonly string line;
 
             public LineScript(string stem, string line, params string[] formats) : base(stem, formats) => this.line = line;
 

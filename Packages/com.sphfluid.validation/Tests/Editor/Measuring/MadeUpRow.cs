@@ -3,7 +3,7 @@ using SphFluid.Validation;
 namespace SphFluid.Tests
 {
     /// <summary>A row with a column of every kind; rows of the same name are of the same run.</summary>
-    sealed class MadeUpRow : MeasuredRow
+    internal sealed class MadeUpRow : MeasuredRow
     {
         public static readonly TableFormat<MadeUpRow> Format = new TableFormat<MadeUpRow>("made-up.csv")
             .Text("name", r => r.Name, (r, v) => r.Name = v)

@@ -8,7 +8,7 @@ namespace SphFluid.Tests
     /// <summary>Rows on disk: what is added, what is replaced, and what a later session continues.</summary>
     public sealed class ResultTableTests : FolderTests
     {
-        string File => Path.Combine(folder, "made-up.csv");
+        private string File => Path.Combine(folder, "made-up.csv");
 
         [Test]
         public void EveryRowIsOnDiskWithDeviceAndDay()
@@ -81,12 +81,14 @@ namespace SphFluid.Tests
             Directory.CreateDirectory(folder);
             System.IO.File.WriteAllText(File, text);
 
-            Assert.That(() => Resume("a device"), Throws.TypeOf<CommandLineException>().With.Message.Contains(message).And.Message.Contains("made-up.csv"));
+            Assert.That(() => Resume("a device"),
+                Throws.TypeOf<CommandLineException>().With.Message.Contains(message).And.Message.Contains("made-up.csv"));
             Assert.That(System.IO.File.ReadAllText(File), Is.EqualTo(text));
         }
 
-        ResultTable<MadeUpRow> Resume(string device) => ResultTable<MadeUpRow>.Resume(MadeUpRow.Format, folder, device, () => new MadeUpRow());
+        private ResultTable<MadeUpRow> Resume(string device) =>
+            ResultTable<MadeUpRow>.Resume(MadeUpRow.Format, folder, device, () => new MadeUpRow());
 
-        string[] Lines() => System.IO.File.ReadAllLines(File);
+        private string[] Lines() => System.IO.File.ReadAllLines(File);
     }
 }

@@ -8,12 +8,13 @@ namespace SphFluid.Tests
     /// <summary>Columns that are stated once are written and read by the same statement.</summary>
     public sealed class TableFormatTests
     {
-        static readonly TableFormat<MadeUpRow> format = MadeUpRow.Format;
+        private static readonly TableFormat<MadeUpRow> format = MadeUpRow.Format;
 
         [Test]
         public void ALineHasACellForEachColumn()
         {
-            var row = new MadeUpRow { Name = "a, \"b\"", Speed = 1234567.0, Steps = 12345678901, IsOn = true, Device = "d", Date = "2026-11-22" };
+            var row =
+                new MadeUpRow { Name = "a, \"b\"", Speed = 1234567.0, Steps = 12345678901, IsOn = true, Device = "d", Date = "2026-11-22" };
 
             Assert.That(format.FirstLine, Is.EqualTo("name,speed_m_s,steps,on,device,date"));
             Assert.That(format.Line(row), Is.EqualTo("\"a, \"\"b\"\"\",1.23457E+06,12345678901,yes,d,2026-11-22"));
@@ -33,7 +34,8 @@ namespace SphFluid.Tests
         [Test]
         public void ALineIsReadAsItWasWritten()
         {
-            string line = format.Line(new MadeUpRow { Name = "a, \"b\"", Speed = -0.125, Steps = -3, IsOn = true, Device = "d", Date = "2026-11-22" });
+            string line = format
+                .Line(new MadeUpRow { Name = "a, \"b\"", Speed = -0.125, Steps = -3, IsOn = true, Device = "d", Date = "2026-11-22" });
 
             Assert.That(format.Line(Read(line)), Is.EqualTo(line));
         }
@@ -58,13 +60,16 @@ namespace SphFluid.Tests
             try
             {
                 System.IO.File.WriteAllLines(file, new[] { "name", "a", "b" });
-                Assert.That(grown.ReadAll(file, () => new MadeUpRow { Speed = 7.0 }).Select(r => (r.Name, r.Speed)), Is.EqualTo(new[] { ("a", 7.0), ("b", 7.0) }));
+                Assert.That(grown.ReadAll(file, () => new MadeUpRow { Speed = 7.0 }).Select(r => (r.Name, r.Speed)),
+                    Is.EqualTo(new[] { ("a", 7.0), ("b", 7.0) }));
                 System.IO.File.WriteAllLines(file, new[] { "name,speed_m_s", "a,2" });
                 Assert.That(grown.ReadAll(file, () => new MadeUpRow()).Single().Speed, Is.EqualTo(2.0));
                 System.IO.File.WriteAllLines(file, new[] { "name,speed_m_s", "a,2", "b" });
-                Assert.That(() => grown.ReadAll(file, () => new MadeUpRow()), Throws.TypeOf<FormatException>().With.Message.Contains("line 3"));
+                Assert.That(() => grown.ReadAll(file, () => new MadeUpRow()),
+                    Throws.TypeOf<FormatException>().With.Message.Contains("line 3"));
                 System.IO.File.WriteAllLines(file, new[] { "name,colour", "a,2" });
-                Assert.That(() => grown.ReadAll(file, () => new MadeUpRow()), Throws.TypeOf<FormatException>().With.Message.Contains("columns"));
+                Assert.That(() => grown.ReadAll(file, () => new MadeUpRow()),
+                    Throws.TypeOf<FormatException>().With.Message.Contains("columns"));
             }
             finally
             {
@@ -74,7 +79,7 @@ namespace SphFluid.Tests
             Assert.That(grown.Reads("speed_m_s"), Is.False);
         }
 
-        static MadeUpRow Read(string line)
+        private static MadeUpRow Read(string line)
         {
             var row = new MadeUpRow();
             format.Read(line, row);

@@ -9,7 +9,7 @@ namespace SphFluid.Tests
     /// <summary>Tables go to NumPy's format and come back bit by bit; what is no such table is named.</summary>
     public sealed class NpyFileTests
     {
-        string file;
+        private string file;
 
         [SetUp]
         public void SetUp() => file = Path.GetTempFileName();
@@ -24,7 +24,8 @@ namespace SphFluid.Tests
             NpyFile.Write(file, table);
 
             Assert.That(NpyFile.Read(file, columns), Is.EqualTo(table));
-            Assert.That((new FileInfo(file).Length - sizeof(float) * table.Length) % 64, Is.Zero, "numbers begin at a multiple of 64 bytes");
+            Assert.That((new FileInfo(file).Length - sizeof(float) * table.Length) % 64, Is.Zero,
+                "numbers begin at a multiple of 64 bytes");
         }
 
         [Test]
@@ -43,7 +44,8 @@ namespace SphFluid.Tests
         {
             // numpy.save(file, numpy.array([[1, 2.5, -3]], dtype='<f4')), NumPy 1.24.2
             string header = "{'descr': '<f4', 'fortran_order': False, 'shape': (1, 3), }".PadRight(117) + "\n";
-            byte[] start = { 0x93, 0x4E, 0x55, 0x4D, 0x50, 0x59, 1, 0, 118, 0 }, numbers = { 0, 0, 0x80, 0x3F, 0, 0, 0x20, 0x40, 0, 0, 0x40, 0xC0 };
+            byte[] start = { 0x93, 0x4E, 0x55, 0x4D, 0x50, 0x59, 1, 0, 118, 0 },
+                numbers = { 0, 0, 0x80, 0x3F, 0, 0, 0x20, 0x40, 0, 0, 0x40, 0xC0 };
             byte[] all = start.Concat(Encoding.ASCII.GetBytes(header)).Concat(numbers).ToArray();
             File.WriteAllBytes(file, all);
 
@@ -85,15 +87,15 @@ namespace SphFluid.Tests
             Refuses("has 85 bytes of numbers, its header says 84");
         }
 
-        void Refuses(string problem) =>
-            Assert.That(() => NpyFile.Read(file, 3), Throws.TypeOf<InvalidDataException>().With.Message.Contains(problem).And.Message.Contains(file));
+        private void Refuses(string problem) =>
+            Assert.That(() => NpyFile.Read(file, 3),
+                Throws.TypeOf<InvalidDataException>().With.Message.Contains(problem).And.Message.Contains(file));
 
-        static float[,] Table(int rows, int columns)
+        private static float[,] Table(int rows, int columns)
         {
             var table = new float[rows, columns];
             for (int r = 0; r < rows; r++)
-                for (int c = 0; c < columns; c++)
-                    table[r, c] = 1f / (1 + r * columns + c);
+                for (int c = 0; c < columns; c++) table[r, c] = 1f / (1 + r * columns + c);
             return table;
         }
     }

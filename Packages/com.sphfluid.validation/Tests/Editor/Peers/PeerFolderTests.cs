@@ -12,9 +12,9 @@ namespace SphFluid.Tests
     /// <summary>Cases go to another program's folder, and its states give a metric what states in memory give it.</summary>
     public sealed class PeerFolderTests
     {
-        PeerFolder folder;
+        private PeerFolder folder;
 
-        static IEnumerable<string> Names => PeerCase.All.Select(c => c.Case.Name);
+        private static IEnumerable<string> Names => PeerCase.All.Select(c => c.Case.Name);
 
         [SetUp]
         public void SetUp() => folder = new PeerFolder();
@@ -36,7 +36,8 @@ namespace SphFluid.Tests
             Assert.That(new Vector3(start[last, 3], start[last, 4], start[last, 5]), Is.EqualTo(particles[last].VelT0));
             string json = File.ReadAllText(folder.PathOf("case.json"));
             Assert.That(json, Does.Contain($"\"case\": \"{name}\""));
-            Assert.That(Number(json, "soundSpeed"), Is.EqualTo(10.0 * point.Setup.Settings.MaxSpeed).Within(1e-5 * point.Setup.Settings.SoundSpeed));
+            Assert.That(Number(json, "soundSpeed"),
+                Is.EqualTo(10.0 * point.Setup.Settings.MaxSpeed).Within(1e-5 * point.Setup.Settings.SoundSpeed));
             Assert.That(Number(json, "duration"), Is.EqualTo(point.Setup.Duration).Within(1e-9));
         }
 
@@ -62,7 +63,8 @@ namespace SphFluid.Tests
             PeerPoint point = PeerRig.Point(name, 20, 3.0);
             CaseSetup setup = point.Setup;
             double depth = layers * 20 * setup.Settings.Spacing, floor = -0.5 * setup.Settings.DomainSize.y;
-            double m = 9.0 * setup.Settings.MaxSpeed * setup.Settings.MaxSpeed / (9.81 * depth), height = WallCaseSetup.Settled(depth, depth, m);
+            double m = 9.0 * setup.Settings.MaxSpeed * setup.Settings.MaxSpeed / (9.81 * depth),
+                height = WallCaseSetup.Settled(depth, depth, m);
             const int Parts = 500;
             double mean = Enumerable.Range(0, Parts).Average(i =>
                 point.Peer.DensityAt(setup, 20, new Vector3(0f, (float)(floor + (i + 0.5) * height / Parts), 0f)));
@@ -76,7 +78,8 @@ namespace SphFluid.Tests
         public void WhereNothingPressesAtTheStartTheDensityIsThatAtRest(string name)
         {
             PeerPoint point = PeerRig.Point(name, 5);
-            Assert.That(point.Peer.DensityAt(point.Setup, 5, point.Setup.Particles[0].Position), Is.EqualTo(point.Setup.Settings.RestDensity));
+            Assert.That(point.Peer.DensityAt(point.Setup, 5, point.Setup.Particles[0].Position),
+                Is.EqualTo(point.Setup.Settings.RestDensity));
         }
 
         [TestCase("couette", 4)]
@@ -107,7 +110,10 @@ namespace SphFluid.Tests
             PeerRig.WriteSamples(folder, times, _ => PeerRig.State(point.Setup, p => Vector3.zero));
             var pressures = new float[times.Length, 2];
             for (int i = 0; i < times.Length; i++)
-                (pressures[i, 0], pressures[i, 1]) = i == 0 ? (float.NaN, float.NaN) : (2f * (float)MarinPressures.Front[Math.Min(i, 120) - 1], 0f);
+            {
+                (pressures[i, 0], pressures[i, 1]) = i == 0 ? (float.NaN, float.NaN)
+                    : (2f * (float)MarinPressures.Front[Math.Min(i, 120) - 1], 0f);
+            }
             NpyFile.Write(folder.PathOf("pressures.npy"), pressures);
 
             CaseResult result = PeerSample.Evaluate(point.Setup, Metric(point), folder.ReadSamples(point.Setup));
@@ -122,7 +128,8 @@ namespace SphFluid.Tests
         public void AStateThatIsNoLiquidEndsTheRun()
         {
             PeerPoint point = PeerRig.Point("couette", 4);
-            PeerRig.WriteSamples(folder, new[] { 0.0, 2.0, 4.0 }, t => PeerRig.State(point.Setup, p => new Vector3(t == 2.0 ? float.NaN : 0f, 0f, 0f)));
+            PeerRig.WriteSamples(folder, new[] { 0.0, 2.0, 4.0 },
+                t => PeerRig.State(point.Setup, p => new Vector3(t == 2.0 ? float.NaN : 0f, 0f, 0f)));
 
             CaseResult result = PeerSample.Evaluate(point.Setup, Metric(point), folder.ReadSamples(point.Setup));
 
@@ -137,7 +144,8 @@ namespace SphFluid.Tests
             Refuses(() => folder.ReadSamples(point.Setup).ToList(), "samples.csv' is missing");
             Refuses(() => folder.ReadFacts(), "run.csv' is missing");
             PeerRig.WriteSamples(folder, new[] { 0.0 }, _ => PeerRig.State(other.Setup, p => p));
-            Refuses(() => folder.ReadSamples(point.Setup).ToList(), $"has {other.Setup.Particles.Length} particles instead of {point.Setup.Particles.Length}");
+            Refuses(() => folder.ReadSamples(point.Setup).ToList(),
+                $"has {other.Setup.Particles.Length} particles instead of {point.Setup.Particles.Length}");
             File.Delete(folder.PathOf("sample-00000.npy"));
             Refuses(() => folder.ReadSamples(point.Setup).ToList(), "sample-00000.npy' is missing");
             File.WriteAllText(folder.PathOf("run.csv"), "version\n");
@@ -178,9 +186,9 @@ namespace SphFluid.Tests
             Assert.That(Directory.Exists(folder.Name), Is.False);
         }
 
-        static CaseMetric Metric(PeerPoint point) => point.Peer.Case.CreateMetric(point.Parameters, point.Setup);
+        private static CaseMetric Metric(PeerPoint point) => point.Peer.Case.CreateMetric(point.Parameters, point.Setup);
 
-        string Json(string name)
+        private string Json(string name)
         {
             using (var own = new PeerFolder())
             {
@@ -189,10 +197,10 @@ namespace SphFluid.Tests
             }
         }
 
-        static double Number(string json, string key) =>
+        private static double Number(string json, string key) =>
             double.Parse(Regex.Match(json, $"\"{key}\": ([^,]+),").Groups[1].Value, System.Globalization.CultureInfo.InvariantCulture);
 
-        static void Refuses(TestDelegate read, string problem) =>
+        private static void Refuses(TestDelegate read, string problem) =>
             Assert.That(read, Throws.TypeOf<InvalidDataException>().With.Message.Contains(problem));
     }
 }

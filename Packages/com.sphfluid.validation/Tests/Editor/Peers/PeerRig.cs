@@ -8,7 +8,7 @@ using UnityEngine;
 namespace SphFluid.Tests
 {
     /// <summary>Stands in for another program: writes to a folder what it would.</summary>
-    static class PeerRig
+    internal static class PeerRig
     {
         public static PeerPoint Point(string name, int resolution, double soundSpeedRatio = 10.0) =>
             new PeerPoint(PeerCase.All.First(c => c.Case.Name == name), resolution, soundSpeedRatio);
@@ -17,15 +17,16 @@ namespace SphFluid.Tests
         public static IEnumerable<double> Times(CaseSetup setup) =>
             Enumerable.Range(0, 1 + (int)Math.Round(setup.Duration / setup.SampleInterval)).Select(i => i * setup.SampleInterval);
 
-        /// <summary>Numbers of a state: x y z u v w density pressure of each particle, as they are at the start with other velocities.</summary>
+        /// <summary>
+        /// Numbers of a state: x y z u v w density pressure of each particle, as they are at the start with other velocities.
+        /// </summary>
         public static float[,] State(CaseSetup setup, Func<Vector3, Vector3> velocity)
         {
             var table = new float[setup.Particles.Length, 8];
             for (int i = 0; i < setup.Particles.Length; i++)
             {
                 Vector3 position = setup.Particles[i].Position, moves = velocity(position);
-                for (int axis = 0; axis < 3; axis++)
-                    (table[i, axis], table[i, 3 + axis]) = (position[axis], moves[axis]);
+                for (int axis = 0; axis < 3; axis++) (table[i, axis], table[i, 3 + axis]) = (position[axis], moves[axis]);
                 (table[i, 6], table[i, 7]) = (1000f + 1e-3f * i, 3f * i);
             }
             return table;
@@ -51,6 +52,7 @@ namespace SphFluid.Tests
             File.WriteAllLines(folder.PathOf("samples.csv"), lines);
         }
 
-        static float[] Column(float[,] state, int column) => Enumerable.Range(0, state.GetLength(0)).Select(i => state[i, column]).ToArray();
+        private static float[] Column(float[,] state, int column) =>
+            Enumerable.Range(0, state.GetLength(0)).Select(i => state[i, column]).ToArray();
     }
 }

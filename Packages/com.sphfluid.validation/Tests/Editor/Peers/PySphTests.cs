@@ -13,7 +13,9 @@ namespace SphFluid.Tests
         public void WhereItIsMissingTheCureIsSaid(string python, string problem)
         {
             if (python == "/bin/false" && !File.Exists(python))
+            {
                 Assert.Ignore("There is no /bin/false here: nothing that starts and fails.");
+            }
             Assert.That(() => PySph.Find(python), Throws.TypeOf<CommandLineException>()
                 .With.Message.Contains("--python").And.Message.Contains(problem).And.Message.Contains("apt-get install python3-pysph"));
         }
@@ -43,8 +45,10 @@ namespace SphFluid.Tests
                 Assert.That(last.LocalPositions, Is.Not.EqualTo(first.LocalPositions));
                 float fastest = last.Velocities.Max(v => v.magnitude), fall = 9.81f * 0.025f;
                 Assert.That(fastest, Is.LessThan(0.5f * fall), "the floor bears it");
-                float[] lowest = last.LocalPositions.Zip(last.Pressures, (p, pressure) => (p.y, pressure)).OrderBy(p => p.y).Take(64).Select(p => p.pressure).ToArray();
-                Assert.That(lowest.Average(), Is.EqualTo(9810.0 * 0.95).Within(200.0), "pressure of the lowest layer, half a spacing above the floor");
+                float[] lowest = last.LocalPositions.Zip(last.Pressures, (p, pressure) => (p.y, pressure)).OrderBy(p => p.y).Take(64)
+                    .Select(p => p.pressure).ToArray();
+                Assert.That(lowest.Average(), Is.EqualTo(9810.0 * 0.95).Within(200.0),
+                    "pressure of the lowest layer, half a spacing above the floor");
             }
         }
 
@@ -56,11 +60,12 @@ namespace SphFluid.Tests
             {
                 File.WriteAllText(folder.PathOf("case.json"), "{}");
                 Assert.That(() => new SessionWork(program.Run(folder.Name)).Finish(),
-                    Throws.TypeOf<IOException>().With.Message.StartsWith("PySPH failed with exit code 1:").And.Message.Contains("KeyError"));
+                    Throws.TypeOf<IOException>().With.Message.StartsWith("PySPH failed with exit code 1:").And.Message
+                        .Contains("KeyError"));
             }
         }
 
-        static PySph FindOrIgnore()
+        private static PySph FindOrIgnore()
         {
             try
             {

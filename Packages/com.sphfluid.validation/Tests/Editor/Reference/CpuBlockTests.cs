@@ -10,7 +10,7 @@ namespace SphFluid.Tests
     /// <summary>The blocks of the CPU solver, in double precision, against brute force over all pairs and all triangles.</summary>
     public sealed class CpuBlockTests
     {
-        static readonly Vector3 Domain = new Vector3(0.4f, 0.4f, 0.4f);
+        private static readonly Vector3 Domain = new Vector3(0.4f, 0.4f, 0.4f);
 
         [Test]
         public void DensityAndPressureAreTheReference([Values(1, 257, 1009)] int count, [Values] bool octant, [Values] bool self)
@@ -75,18 +75,19 @@ namespace SphFluid.Tests
                 solver.UpdateDensity();
                 FluidGrid grid = FluidGrid.For(settings);
                 var neighbours = new CpuNeighbours(grid, settings, default);
-                IEnumerable<uint> expected = initial.OrderBy(p => neighbours.Cell(CpuFluidParticle.Double(p.Position))).ThenBy(p => p.Id).Select(p => p.Id);
+                IEnumerable<uint> expected = initial.OrderBy(p => neighbours.Cell(CpuFluidParticle.Double(p.Position))).ThenBy(p => p.Id)
+                    .Select(p => p.Id);
                 Assert.That(solver.ToFloat().Select(p => p.Id), Is.EqualTo(expected));
             }
         }
 
-        static FluidSolverSettings Settings(bool octant)
+        private static FluidSolverSettings Settings(bool octant)
         {
             FluidSolverSettings settings = TestSettings.ByRule(Domain, 0.02f);
             settings.OctantSearch = octant;
             return settings;
         }
 
-        static FluidParticle[] Particles(int count) => ParticleSets.Random(count, Domain, 4f, count);
+        private static FluidParticle[] Particles(int count) => ParticleSets.Random(count, Domain, 4f, count);
     }
 }

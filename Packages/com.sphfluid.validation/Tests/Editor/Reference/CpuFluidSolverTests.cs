@@ -10,7 +10,7 @@ namespace SphFluid.Tests
     /// <summary>What the equations conserve, and the manners of the CPU solver.</summary>
     public sealed class CpuFluidSolverTests
     {
-        static readonly Vector3 Domain = new Vector3(0.4f, 0.4f, 0.4f);
+        private static readonly Vector3 Domain = new Vector3(0.4f, 0.4f, 0.4f);
 
         [Test]
         public void ClosedSystemKeepsItsMomentum()
@@ -52,10 +52,7 @@ namespace SphFluid.Tests
             const float spacing = 0.02f;
             FluidSolverSettings settings = TestSettings.ByRule(new Vector3(0.4f, 1.2f, 0.4f), spacing);
             FluidParticle[] initial = ParticleSets.Lattice(new Vector3Int(5, 5, 5), spacing, 0f, 1);
-            for (int i = 0; i < initial.Length; i++)
-            {
-                initial[i].Position.y += 0.4f;
-            }
+            for (int i = 0; i < initial.Length; i++) initial[i].Position.y += 0.4f;
 
             using (var solver = new CpuFluidSolver(settings, initial, precision))
             {
@@ -100,7 +97,8 @@ namespace SphFluid.Tests
                 solver.Step(2);
                 Assert.That(solver.StepCount, Is.EqualTo(5));
                 Assert.That(solver.SimulatedTime, Is.EqualTo(5.0 * settings.TimeStep).Within(1e-12));
-                Assert.That(solver.Particles.ToArray().Select(p => p.Position), Is.EqualTo(Run(settings, initial, 5).Select(p => p.Position)));
+                Assert.That(solver.Particles.ToArray().Select(p => p.Position),
+                    Is.EqualTo(Run(settings, initial, 5).Select(p => p.Position)));
             }
         }
 
@@ -121,7 +119,7 @@ namespace SphFluid.Tests
             Assert.That(() => solver.Density, Throws.TypeOf<ObjectDisposedException>());
         }
 
-        static CpuFluidParticle[] Run(in FluidSolverSettings settings, FluidParticle[] initial, int steps)
+        private static CpuFluidParticle[] Run(in FluidSolverSettings settings, FluidParticle[] initial, int steps)
         {
             using (var solver = new CpuFluidSolver(settings, initial))
             {

@@ -21,10 +21,10 @@ namespace SphFluid.Tests
             All,
         }
 
-        const float Spacing = 0.025f;
-        const int Seed = 11;
+        private const float Spacing = 0.025f;
+        private const int Seed = 11;
 
-        static readonly Vector3Int Counts = new Vector3Int(9, 8, 10);
+        private static readonly Vector3Int Counts = new Vector3Int(9, 8, 10);
 
         // Tolerances as in GpuAgainstCpuTests: a rounding of a position a step, and paths that part after many.
         [TestCase(1, 4e-6)]
@@ -52,7 +52,7 @@ namespace SphFluid.Tests
             }
         }
 
-        static void Compare(string name, in FluidSolverSettings settings, int steps, double tolerance)
+        private static void Compare(string name, in FluidSolverSettings settings, int steps, double tolerance)
         {
             Vector3 period = settings.PeriodLength;
             Dictionary<uint, double3> cpu = RunCpu(settings, steps);
@@ -70,7 +70,7 @@ namespace SphFluid.Tests
         }
 
         // A box full of liquid in a lattice with a jitter, moving across the faces.
-        static FluidParticle[] Start()
+        private static FluidParticle[] Start()
         {
             FluidParticle[] start = ParticleSets.Lattice(Counts, Spacing, 0.05f * Spacing, Seed);
             var random = new System.Random(Seed);
@@ -82,14 +82,11 @@ namespace SphFluid.Tests
             return start;
         }
 
-        static FluidSolverSettings Settings(Feature feature, bool octant)
+        private static FluidSolverSettings Settings(Feature feature, bool octant)
         {
             FluidSolverSettings settings = TestSettings.ByRule(Spacing * (Vector3)Counts + new Vector3(0f, 0.4f * Spacing, 0f), Spacing);
             settings.OctantSearch = octant;
-            if (feature == Feature.Periodic || feature == Feature.All)
-            {
-                settings.Boundaries.Periodic = FluidAxes.X | FluidAxes.Z;
-            }
+            if (feature == Feature.Periodic || feature == Feature.All) settings.Boundaries.Periodic = FluidAxes.X | FluidAxes.Z;
 
             if (feature == Feature.BodyForce || feature == Feature.All)
             {
@@ -109,7 +106,7 @@ namespace SphFluid.Tests
             return settings;
         }
 
-        static Dictionary<uint, double3> RunCpu(in FluidSolverSettings settings, int steps)
+        private static Dictionary<uint, double3> RunCpu(in FluidSolverSettings settings, int steps)
         {
             using (var solver = new CpuFluidSolver(settings, Start()))
             {
@@ -118,7 +115,7 @@ namespace SphFluid.Tests
             }
         }
 
-        static FluidParticle[] RunGpu(in FluidSolverSettings settings, int steps)
+        private static FluidParticle[] RunGpu(in FluidSolverSettings settings, int steps)
         {
             FluidShaderSet shaders = TestShaders.CreateSet();
             try

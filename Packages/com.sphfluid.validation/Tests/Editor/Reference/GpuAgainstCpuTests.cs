@@ -12,9 +12,9 @@ namespace SphFluid.Tests
     /// <summary>The GPU solver against the CPU solver in double precision, particle by particle, over many steps.</summary>
     public sealed class GpuAgainstCpuTests
     {
-        const float Spacing = 0.02f;
+        private const float Spacing = 0.02f;
 
-        static readonly Vector3 Domain = new Vector3(0.4f, 0.4f, 0.4f);
+        private static readonly Vector3 Domain = new Vector3(0.4f, 0.4f, 0.4f);
 
         // Largest difference of a position, over dx. Half a unit in the last place of a float position near 0.2 m is 4e-7 dx, and
         // every step adds one; density errs by 1e-6, which k = 2 c^2 turns into as much again. Neighbouring paths then part
@@ -46,7 +46,7 @@ namespace SphFluid.Tests
             Compare(count, steps, false, tolerance, true);
         }
 
-        static void Compare(int count, int steps, bool octant, double tolerance, bool noSlip = false)
+        private static void Compare(int count, int steps, bool octant, double tolerance, bool noSlip = false)
         {
             FluidSolverSettings settings = TestSettings.ByRule(Domain, Spacing);
             settings.OctantSearch = octant;
@@ -80,7 +80,7 @@ namespace SphFluid.Tests
         }
 
         // A jittered lattice across the sheet, falling.
-        static FluidParticle[] Block(int count)
+        private static FluidParticle[] Block(int count)
         {
             int side = (int)Math.Ceiling(Math.Pow(count, 1.0 / 3.0));
             FluidParticle[] block = ParticleSets.Lattice(new Vector3Int(side, side, side), 0.8f * Spacing, 0.05f * Spacing, count);
@@ -94,7 +94,7 @@ namespace SphFluid.Tests
             return block;
         }
 
-        static FluidParticle[] RunGpu(in FluidSolverSettings settings, FluidParticle[] initial, ReferenceMesh mesh, int steps)
+        private static FluidParticle[] RunGpu(in FluidSolverSettings settings, FluidParticle[] initial, ReferenceMesh mesh, int steps)
         {
             FluidShaderSet shaders = TestShaders.CreateSet();
             try

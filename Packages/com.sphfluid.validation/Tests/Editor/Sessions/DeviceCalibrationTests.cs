@@ -11,8 +11,7 @@ namespace SphFluid.Tests
         {
             var calibration = new DeviceCalibration(SurfaceTestScene.LoadShaders());
             int submissions = 0;
-            for (var run = calibration.Run(); run.MoveNext();)
-                submissions++;
+            for (var run = calibration.Run(); run.MoveNext();) submissions++;
 
             Assert.That(submissions, Is.GreaterThan(1), "the first, which compiles, does not count");
             // A GPU needs tens of microseconds for its dispatches, a processor seconds at worst.

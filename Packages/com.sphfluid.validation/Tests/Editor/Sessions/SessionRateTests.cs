@@ -6,7 +6,7 @@ namespace SphFluid.Tests
 {
     public sealed class SessionRateTests
     {
-        static TimeSpan Seconds(double seconds) => TimeSpan.FromSeconds(seconds);
+        private static TimeSpan Seconds(double seconds) => TimeSpan.FromSeconds(seconds);
 
         [Test]
         public void NothingIsKnownWithoutExpectationAndMeasurement()
@@ -38,8 +38,7 @@ namespace SphFluid.Tests
         public void ManyJobsDecide()
         {
             var rate = new SessionRate(1000.0);
-            for (int i = 0; i < 100; i++)
-                rate.Add(100.0, Seconds(1.0));
+            for (int i = 0; i < 100; i++) rate.Add(100.0, Seconds(1.0));
 
             Assert.That(rate.TimeFor(100.0).Value.TotalSeconds, Is.EqualTo(1.0).Within(0.3));
         }

@@ -7,7 +7,7 @@ namespace SphFluid.Tests
 {
     public sealed class SessionWorkTests
     {
-        readonly List<string> events = new List<string>();
+        private readonly List<string> events = new List<string>();
 
         [SetUp]
         public void SetUp() => events.Clear();
@@ -17,8 +17,7 @@ namespace SphFluid.Tests
         {
             var work = new SessionWork(Outer());
             int frames = 0;
-            while (work.Step())
-                frames++;
+            while (work.Step()) frames++;
 
             Assert.That(frames, Is.EqualTo(2), "one of the outer, one of the inner");
             Assert.That(events, Is.EqualTo(new[] { "begin", "inner", "freed", "end" }));
@@ -37,7 +36,7 @@ namespace SphFluid.Tests
             Assert.That(work.Step(), Is.False);
         }
 
-        IEnumerator Outer()
+        private IEnumerator Outer()
         {
             events.Add("begin");
             yield return null;
@@ -45,7 +44,7 @@ namespace SphFluid.Tests
             events.Add("end");
         }
 
-        IEnumerator Inner()
+        private IEnumerator Inner()
         {
             try
             {

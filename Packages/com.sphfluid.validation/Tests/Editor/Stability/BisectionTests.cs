@@ -16,7 +16,8 @@ namespace SphFluid.Tests
             Assert.That(search.Low, Is.LessThanOrEqualTo(border));
             Assert.That(search.High, Is.GreaterThan(border));
             Assert.That(search.High / search.Low, Is.LessThanOrEqualTo(1.0 + tolerance));
-            Assert.That(search.Trials, Is.LessThanOrEqualTo(2 + (int)Math.Ceiling(Math.Log(Math.Log(2.1 / 0.81) / Math.Log(1.0 + tolerance), 2.0))));
+            Assert.That(search.Trials,
+                Is.LessThanOrEqualTo(2 + (int)Math.Ceiling(Math.Log(Math.Log(2.1 / 0.81) / Math.Log(1.0 + tolerance), 2.0))));
         }
 
         [Test]
@@ -36,11 +37,10 @@ namespace SphFluid.Tests
             Assert.That(() => Run(1.0, 0.1).Add(true), Throws.InvalidOperationException);
         }
 
-        static Bisection Run(double border, double tolerance)
+        private static Bisection Run(double border, double tolerance)
         {
             var search = new Bisection(0.81, 2.1, tolerance);
-            while (!search.IsDone)
-                search.Add(search.Next <= border);
+            while (!search.IsDone) search.Add(search.Next <= border);
             return search;
         }
     }

@@ -31,16 +31,16 @@ namespace SphFluid.Tests
         public void MeasuresTheAmplitude()
         {
             var metric = new GrowthMetric(1e6, Vector3.zero);
-            for (int n = 0; n <= 8; n++)
-                metric.Sample(n, State(0.01 * ((n & 1) == 0 ? 1.0 : -1.0) * (n < 3 ? 1.0 : 2.0), 0.0));
+            for (int n = 0; n <= 8; n++) metric.Sample(n, State(0.01 * ((n & 1) == 0 ? 1.0 : -1.0) * (n < 3 ? 1.0 : 2.0), 0.0));
 
             // The first three samples swing by 1, the last seven contain the change from 1 to 2 at the far end alone: (2 · 64 − 1)/64.
             Assert.That(metric.Growth, Is.EqualTo(127.0 / 64.0).Within(1e-4));
         }
 
-        static FluidSnapshot State(double x, double y)
+        private static FluidSnapshot State(double x, double y)
         {
-            FluidParticle[] particles = Enumerable.Range(0, 3).Select(i => new FluidParticle(new Vector3((float)x, (float)y, 0.1f * i), Vector3.zero, (uint)i)).ToArray();
+            FluidParticle[] particles = Enumerable.Range(0, 3)
+                .Select(i => new FluidParticle(new Vector3((float)x, (float)y, 0.1f * i), Vector3.zero, (uint)i)).ToArray();
             return FluidSnapshot.FromParticles(particles, new float[3], new float[3], Matrix4x4.identity);
         }
     }

@@ -57,6 +57,6 @@ namespace SphFluid.Tests
             Assert.That(arguments.OutputFolder, Is.EqualTo("there"));
         }
 
-        static StabilityArguments Parse(params string[] words) => StabilityArguments.Parse(words);
+        private static StabilityArguments Parse(params string[] words) => StabilityArguments.Parse(words);
     }
 }

@@ -37,7 +37,8 @@ namespace SphFluid.Tests
         [TestCase(0.72f, StabilityCause.Energy)]
         public void FailsOnEnergyInMotion(float speed, StabilityCause cause)
         {
-            Assert.That(Outcome(StabilityStates.Scenario, Moving(i => (i & 1) == 0 ? speed * Vector3.left : speed * Vector3.right)).Cause, Is.EqualTo(cause));
+            Assert.That(Outcome(StabilityStates.Scenario, Moving(i => (i & 1) == 0 ? speed * Vector3.left : speed * Vector3.right)).Cause,
+                Is.EqualTo(cause));
         }
 
         // m c² (ln 1.08 + 1/1.08 − 1) = 100 · 0.00288705 = 0.289 J a particle, beyond 0.25; at 1.07 it is 0.224.
@@ -63,10 +64,12 @@ namespace SphFluid.Tests
         [TestCase(0.051f, StabilityCause.Escape)]
         public void FailsBeyondAWall(float depth, StabilityCause cause)
         {
-            FluidSnapshot fallen = StabilityStates.Column((i, p) => i == 3 ? StabilityStates.At(p, new Vector3(0.3f, -1f - depth, 0.3f), Vector3.zero) : p);
+            FluidSnapshot fallen =
+                StabilityStates.Column((i, p) => i == 3 ? StabilityStates.At(p, new Vector3(0.3f, -1f - depth, 0.3f), Vector3.zero) : p);
             StabilityScenario slab = StabilityStates.Scenario;
             slab.WallTop = -0.95;
-            FluidSnapshot through = StabilityStates.Column((i, p) => i == 3 ? StabilityStates.At(p, new Vector3(0.3f, -0.95f - depth, 0.3f), Vector3.zero) : p);
+            FluidSnapshot through =
+                StabilityStates.Column((i, p) => i == 3 ? StabilityStates.At(p, new Vector3(0.3f, -0.95f - depth, 0.3f), Vector3.zero) : p);
 
             Assert.That(Outcome(StabilityStates.Scenario, fallen).Cause, Is.EqualTo(cause), "the domain's");
             Assert.That(Outcome(slab, through).Cause, Is.EqualTo(cause), "a slab's");
@@ -85,7 +88,8 @@ namespace SphFluid.Tests
         [Test]
         public void FailsOnWhatIsNotANumber()
         {
-            Assert.That(Outcome(StabilityStates.Scenario, Moving(i => i == 5 ? new Vector3(float.NaN, 0f, 0f) : Vector3.zero)).Cause, Is.EqualTo(StabilityCause.NotFinite));
+            Assert.That(Outcome(StabilityStates.Scenario, Moving(i => i == 5 ? new Vector3(float.NaN, 0f, 0f) : Vector3.zero)).Cause,
+                Is.EqualTo(StabilityCause.NotFinite));
             // Found by the solver before the criterion sees a state.
             var result = new CaseResult { Failure = "2 positions were not finite", Counters = new FluidCounters { NonFinite = 2 } };
             Assert.That(new StabilityCriterion(StabilityStates.Scenario).Conclude(result).Cause, Is.EqualTo(StabilityCause.NotFinite));
@@ -111,7 +115,8 @@ namespace SphFluid.Tests
             StabilityScenario scene = StabilityStates.Scenario;
             scene.Setup.Settings.Boundaries.Periodic = periodic;
             float one = apart > 0f ? 0.3f : 0.38f, other = apart > 0f ? 0.3f + apart : -0.38f;
-            FluidSnapshot state = StabilityStates.Column((i, p) => i == 0 ? StabilityStates.At(p, new Vector3(one, -0.95f, 0.3f), Vector3.zero)
+            FluidSnapshot state =
+                StabilityStates.Column((i, p) => i == 0 ? StabilityStates.At(p, new Vector3(one, -0.95f, 0.3f), Vector3.zero)
                 : i == 1 ? StabilityStates.At(p, new Vector3(other, -0.95f, 0.3f), Vector3.zero) : p);
 
             AssertDegraded(Outcome(scene, state), cause);
@@ -168,15 +173,16 @@ namespace SphFluid.Tests
             Assert.That((outcome.Verdict, outcome.IsCut), Is.EqualTo((StabilityVerdict.Stable, true)));
         }
 
-        static void AssertDegraded(StabilityOutcome outcome, StabilityCause cause)
+        private static void AssertDegraded(StabilityOutcome outcome, StabilityCause cause)
         {
             StabilityVerdict verdict = cause == StabilityCause.None ? StabilityVerdict.Stable : StabilityVerdict.Degraded;
             Assert.That((outcome.Verdict, outcome.Cause), Is.EqualTo((verdict, cause)), outcome.Reason);
         }
 
-        static FluidSnapshot Moving(Func<int, Vector3> velocity) => StabilityStates.Column((i, p) => StabilityStates.At(p, p.Position, velocity(i)));
+        private static FluidSnapshot Moving(Func<int, Vector3> velocity) =>
+            StabilityStates.Column((i, p) => StabilityStates.At(p, p.Position, velocity(i)));
 
-        static StabilityOutcome Outcome(StabilityScenario scene, FluidSnapshot end, FluidCounters counters = default)
+        private static StabilityOutcome Outcome(StabilityScenario scene, FluidSnapshot end, FluidCounters counters = default)
         {
             var criterion = new StabilityCriterion(scene);
             criterion.Sample(0.0, StabilityStates.Column());
@@ -184,7 +190,7 @@ namespace SphFluid.Tests
             return criterion.Conclude(Result(criterion, counters));
         }
 
-        static CaseResult Result(StabilityCriterion criterion, FluidCounters counters) =>
+        private static CaseResult Result(StabilityCriterion criterion, FluidCounters counters) =>
             new CaseResult { Failure = criterion.Failure, Counters = counters, Particles = StabilityStates.Count, SimulatedSeconds = 1.0 };
     }
 }

@@ -12,7 +12,8 @@ namespace SphFluid.Tests
         {
             foreach (StabilityCause cause in StabilityLegend.Causes.Concat(new[] { StabilityCause.None }))
             {
-                StabilityVerdict verdict = cause == StabilityCause.None ? StabilityVerdict.Stable : cause < StabilityCause.Restless ? StabilityVerdict.Failed : StabilityVerdict.Degraded;
+                StabilityVerdict verdict = cause == StabilityCause.None ? StabilityVerdict.Stable : cause < StabilityCause.Restless
+                    ? StabilityVerdict.Failed : StabilityVerdict.Degraded;
                 string line = StabilityRow.Format.Line(Row(verdict, cause));
 
                 var read = new StabilityRow();
@@ -29,7 +30,8 @@ namespace SphFluid.Tests
         {
             Assert.That(StabilityRow.Format.Line(Row(StabilityVerdict.Failed, StabilityCause.Energy)),
                 Is.EqualTo("M2,thesis,0.005,1.5,3,failed,\"E, \"\"grew\"\"\",0.25,on,216,40,a device,2026-11-21,energy"));
-            Assert.That(StabilityRow.Format.FirstLine, Does.StartWith("map,method,x,y,seed,verdict,reason,time_to_failure_s,clamps,particles,steps,device,date"));
+            Assert.That(StabilityRow.Format.FirstLine,
+                Does.StartWith("map,method,x,y,seed,verdict,reason,time_to_failure_s,clamps,particles,steps,device,date"));
         }
 
         [Test]
@@ -39,8 +41,7 @@ namespace SphFluid.Tests
             LimitRow Measured(double border)
             {
                 Bisection search = limit.Search();
-                while (!search.IsDone)
-                    search.Add(search.Next <= border);
+                while (!search.IsDone) search.Add(search.Next <= border);
                 return new LimitRow(limit, CaseMethod.Find("thesis"), search) { Device = "a device", Date = "2026-11-21" };
             }
 
@@ -70,22 +71,27 @@ namespace SphFluid.Tests
             Assert.That(() => Resume("a device"), Throws.TypeOf<CommandLineException>().With.Message.Contains("line 3"));
         }
 
-        ResultTable<StabilityRow> Resume(string device) => ResultTable<StabilityRow>.Resume(StabilityRow.Format, folder, device, () => new StabilityRow());
+        private ResultTable<StabilityRow> Resume(string device) =>
+            ResultTable<StabilityRow>.Resume(StabilityRow.Format, folder, device, () => new StabilityRow());
 
-        static LimitRow Read(LimitRow written)
+        private static LimitRow Read(LimitRow written)
         {
             var row = new LimitRow();
             LimitRow.Format.Read(LimitRow.Format.Line(written), row);
             return row;
         }
 
-        static StabilityRun Run => new StabilityRun
+        private static StabilityRun Run => new StabilityRun
         {
             Map = StabilityMap.All[1], Method = CaseMethod.Find("thesis"), X = 0.005, Y = 1.5, Seed = 3, Clamps = true,
         };
 
-        static StabilityRow Row(StabilityVerdict verdict, StabilityCause cause) => new StabilityRow(Run,
-            new StabilityOutcome { Verdict = verdict, Cause = cause, Reason = "E, \"grew\"", TimeToFailure = 0.25, Particles = 216, Steps = 40 })
+        private static StabilityRow Row(StabilityVerdict verdict, StabilityCause cause) => new StabilityRow(Run,
+            new StabilityOutcome
+            {
+                Verdict = verdict, Cause = cause, Reason = "E, \"grew\"", TimeToFailure = 0.25, Particles = 216,
+                Steps = 40
+            })
         { Device = "a device", Date = "2026-11-21" };
     }
 }

@@ -8,7 +8,7 @@ namespace SphFluid.Tests
     /// <summary>Dual marching cubes on fields that are written by hand.</summary>
     public sealed class DualMarchingCubesTests
     {
-        const float Iso = 0.5f;
+        private const float Iso = 0.5f;
 
         [Test]
         public void ASphereIsClosedAndOfTheRightSize()
@@ -42,20 +42,19 @@ namespace SphFluid.Tests
             Assert.That(flipped.IsClosed, Is.True);
         }
 
-        static SurfaceMesh Noise(bool flip)
+        private static SurfaceMesh Noise(bool flip)
         {
             var random = new System.Random(5);
             return Polygonise(20, _ => (float)random.NextDouble(), flip);
         }
 
-        static SurfaceMesh Polygonise(int cells, Func<Vector3, float> field, bool flip)
+        private static SurfaceMesh Polygonise(int cells, Func<Vector3, float> field, bool flip)
         {
             var grid = new SurfaceGrid(-0.5f * Vector3.one, Vector3.one, cells);
             var values = new float[grid.VertexCount];
             for (int z = 0; z <= cells; z++)
                 for (int y = 0; y <= cells; y++)
-                    for (int x = 0; x <= cells; x++)
-                        values[grid.Index(x, y, z)] = field(grid.Position(x, y, z));
+                    for (int x = 0; x <= cells; x++) values[grid.Index(x, y, z)] = field(grid.Position(x, y, z));
             return DualMarchingCubes.Polygonise(grid, values, Iso, flip);
         }
     }

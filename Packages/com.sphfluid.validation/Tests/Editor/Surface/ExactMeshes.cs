@@ -6,7 +6,7 @@ using UnityEngine;
 namespace SphFluid.Tests
 {
     /// <summary>Meshes of which everything is known.</summary>
-    static class ExactMeshes
+    internal static class ExactMeshes
     {
         /// <summary>A regular tetrahedron with edges of 2√2 about the origin, facing outwards.</summary>
         public static SurfaceMesh Tetrahedron() => Of(
@@ -18,7 +18,9 @@ namespace SphFluid.Tests
         {
             var corners = new Vector3[8];
             for (int i = 0; i < 8; i++)
+            {
                 corners[i] = new Vector3((i & 1) != 0 ? high.x : low.x, (i & 2) != 0 ? high.y : low.y, (i & 4) != 0 ? high.z : low.z);
+            }
             return Of(corners, new[]
             {
                 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5,
@@ -41,7 +43,8 @@ namespace SphFluid.Tests
                     Vector3 normal = (float)Math.Cos(v) * outwards + (float)Math.Sin(v) * Vector3.up;
                     normals[i * steps + j] = normal;
                     positions[i * steps + j] = ring * outwards + tube * normal;
-                    int a = i * steps + j, b = (i + 1) % steps * steps + j, c = (i + 1) % steps * steps + (j + 1) % steps, d = i * steps + (j + 1) % steps;
+                    int a = i * steps + j, b = (i + 1) % steps * steps + j, c = (i + 1) % steps * steps + (j + 1) % steps,
+                        d = i * steps + (j + 1) % steps;
                     indices.AddRange(new[] { a, d, c, a, c, b });
                 }
             return new SurfaceMesh(positions, normals, indices.ToArray());
@@ -56,8 +59,7 @@ namespace SphFluid.Tests
                 for (int x = 0; x <= across; x++)
                 {
                     positions.Add(new Vector3(x, height(x, z), z));
-                    if (x == across || z == deep)
-                        continue;
+                    if (x == across || z == deep) continue;
                     int a = z * (across + 1) + x, b = a + 1, d = a + across + 1;
                     indices.AddRange(new[] { a, d, b, b, d, d + 1 });
                 }
@@ -69,8 +71,10 @@ namespace SphFluid.Tests
             a.Normals.Concat(b.Normals).ToArray(), a.Indices.Concat(b.Indices.Select(i => i + a.VertexCount)).ToArray());
 
         /// <summary>The same vertices with other triangles.</summary>
-        public static SurfaceMesh With(SurfaceMesh mesh, IEnumerable<int> indices) => new SurfaceMesh(mesh.Positions, mesh.Normals, indices.ToArray());
+        public static SurfaceMesh With(SurfaceMesh mesh, IEnumerable<int> indices) =>
+            new SurfaceMesh(mesh.Positions, mesh.Normals, indices.ToArray());
 
-        static SurfaceMesh Of(Vector3[] positions, int[] indices) => new SurfaceMesh(positions, Array.ConvertAll(positions, _ => Vector3.up), indices);
+        private static SurfaceMesh Of(Vector3[] positions, int[] indices) =>
+            new SurfaceMesh(positions, Array.ConvertAll(positions, _ => Vector3.up), indices);
     }
 }

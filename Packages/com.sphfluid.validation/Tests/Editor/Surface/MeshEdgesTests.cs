@@ -52,16 +52,20 @@ namespace SphFluid.Tests
             SurfaceMesh box = ExactMeshes.Box(Vector3.zero, Vector3.one);
             MeshEdges edges = MeshEdges.Of(ExactMeshes.With(box, box.Indices.Concat(new[] { 0, 4, 7 })));
 
-            Assert.That((edges.OpenEdges, edges.NonManifoldEdges), Is.EqualTo((1, 2)), "0-4 and the diagonal of the face 4, 6, 7, 5 are in use; 0-7 is new");
+            Assert.That((edges.OpenEdges, edges.NonManifoldEdges), Is.EqualTo((1, 2)),
+                "0-4 and the diagonal of the face 4, 6, 7, 5 are in use; 0-7 is new");
         }
 
         [Test]
-        public void AnEmptyMeshIsClosed() => Assert.That(MeshEdges.Of(ExactMeshes.With(ExactMeshes.Tetrahedron(), new int[0])).IsClosed, Is.True);
+        public void AnEmptyMeshIsClosed() =>
+        Assert.That(MeshEdges.Of(ExactMeshes.With(ExactMeshes.Tetrahedron(), new int[0])).IsClosed, Is.True);
 
         [Test]
         public void TellsPartsAndTheirVolumes()
         {
-            var parts = new MeshComponents(ExactMeshes.Both(ExactMeshes.Box(Vector3.zero, Vector3.one), ExactMeshes.Box(3f * Vector3.one, 5f * Vector3.one)));
+            var parts =
+                new MeshComponents(ExactMeshes.Both(ExactMeshes.Box(Vector3.zero, Vector3.one),
+                    ExactMeshes.Box(3f * Vector3.one, 5f * Vector3.one)));
 
             Assert.That(parts.Count, Is.EqualTo(2));
             int small = parts.Near(new Vector3(1.1f, 1.1f, 1.1f), 0.5f), large = parts.Near(new Vector3(5.2f, 5f, 5f), 0.5f);

@@ -13,7 +13,8 @@ namespace SphFluid.Tests
         public void AnglesOfEquilateralAndRightTriangles()
         {
             Assert.That(TriangleShapes.Of(ExactMeshes.Tetrahedron(), 1f).MeanAngle, Is.EqualTo(60.0).Within(1e-4));
-            Assert.That(TriangleShapes.Of(ExactMeshes.Box(Vector3.zero, new Vector3(1f, 2f, 1f)), 1f).LeastAngle, Is.EqualTo(Math.Atan(0.5) * 180.0 / Math.PI).Within(1e-4));
+            Assert.That(TriangleShapes.Of(ExactMeshes.Box(Vector3.zero, new Vector3(1f, 2f, 1f)), 1f).LeastAngle,
+                Is.EqualTo(Math.Atan(0.5) * 180.0 / Math.PI).Within(1e-4));
         }
 
         [Test]
@@ -47,7 +48,8 @@ namespace SphFluid.Tests
         [Test]
         public void TheHighestOfSeveralCutsCounts()
         {
-            SurfaceMesh mesh = ExactMeshes.Both(ExactMeshes.Box(Vector3.zero, new Vector3(4f, 1f, 4f)), ExactMeshes.Box(new Vector3(0f, 2f, 0f), new Vector3(2f, 3f, 4f)));
+            SurfaceMesh mesh = ExactMeshes.Both(ExactMeshes.Box(Vector3.zero, new Vector3(4f, 1f, 4f)),
+                ExactMeshes.Box(new Vector3(0f, 2f, 0f), new Vector3(2f, 3f, 4f)));
             var columns = new MeshColumns(new Rect(0f, 0f, 4f, 4f), 1f);
 
             ColumnStatistics statistics = ColumnStatistics.Of(columns.Heights(mesh), columns.Across, 1.0);
@@ -67,7 +69,8 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void ARasterWithoutColumnsIsRefused() => Assert.Throws<ArgumentException>(() => new MeshColumns(new Rect(0f, 0f, 0.1f, 1f), 1f));
+        public void ARasterWithoutColumnsIsRefused() =>
+        Assert.Throws<ArgumentException>(() => new MeshColumns(new Rect(0f, 0f, 0.1f, 1f), 1f));
 
         [Test]
         public void SteadyMotionDoesNotFlickerAndNoiseDoes()
@@ -89,7 +92,8 @@ namespace SphFluid.Tests
             Quaternion turned = Quaternion.AngleAxis(10f, Vector3.up);
             var level = new SurfaceMesh(torus.Positions, torus.Normals.Select(n => turned * n).ToArray(), torus.Indices);
 
-            NormalError exact = NormalError.Of(torus, truth), error = NormalError.Of(level, p => Math.Abs(p.y) < 1e-3f ? truth(p) : Vector3.zero);
+            NormalError exact = NormalError.Of(torus, truth),
+                error = NormalError.Of(level, p => Math.Abs(p.y) < 1e-3f ? truth(p) : Vector3.zero);
 
             Assert.That(exact.Shading, Is.Zero.Within(1e-3));
             Assert.That(exact.Faces, Is.InRange(0.1, 4.0), "faces are flat");

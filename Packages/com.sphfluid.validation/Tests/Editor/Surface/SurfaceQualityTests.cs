@@ -6,15 +6,19 @@ using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>What the sparse surface in default quality makes of liquids whose surface is known; figures of all variants: Documentation~/surface-quality.md.</summary>
+    /// <summary>
+    /// What the sparse surface in default quality makes of liquids whose surface is known; figures of all variants:
+    /// Documentation~/surface-quality.md.
+    /// </summary>
     public sealed class SurfaceQualityTests
     {
-        static readonly SurfaceScale scale = new SurfaceScale(true);
-        static readonly string[] synthetic = SurfaceStateEntry.All.Where(s => IsSynthetic(s.Build(scale))).Select(s => s.Name).ToArray();
+        private static readonly SurfaceScale scale = new SurfaceScale(true);
+        private static readonly string[] synthetic = SurfaceStateEntry.All.Where(s => IsSynthetic(s.Build(scale)))
+            .Select(s => s.Name).ToArray();
 
-        readonly Dictionary<string, SurfaceQuality> measured = new Dictionary<string, SurfaceQuality>();
-        FluidShaderSet shaders;
-        SurfaceVariant variant;
+        private readonly Dictionary<string, SurfaceQuality> measured = new Dictionary<string, SurfaceQuality>();
+        private FluidShaderSet shaders;
+        private SurfaceVariant variant;
 
         [OneTimeSetUp]
         public void SetUp()
@@ -46,7 +50,8 @@ namespace SphFluid.Tests
         [TestCase("full", 0.01)]
         [TestCase("sphere", 0.03)]
         [TestCase("torus", 0.03)]
-        public void VolumesAreTheParticles(string name, double tolerance) => Assert.That(Measure(name).Volume, Is.EqualTo(1.0).Within(tolerance));
+        public void VolumesAreTheParticles(string name, double tolerance) =>
+        Assert.That(Measure(name).Volume, Is.EqualTo(1.0).Within(tolerance));
 
         [Test]
         public void ARisingPoolDoesNotStickToTheGrid()
@@ -114,31 +119,32 @@ namespace SphFluid.Tests
             Assert.That(quality.Flicker, Is.LessThan(0.4), "the motion itself has 0.2 to 0.3");
         }
 
-        static bool IsSynthetic(SurfaceState state) => state.Prepare == null && state.Field == null;
+        private static bool IsSynthetic(SurfaceState state) => state.Prepare == null && state.Field == null;
 
-        SurfaceQuality Measure(string name)
+        private SurfaceQuality Measure(string name)
         {
             if (!measured.TryGetValue(name, out SurfaceQuality quality))
+            {
                 measured.Add(name, quality = Measure(SurfaceStateEntry.Find(name).Build(scale)));
+            }
             return quality;
         }
 
-        SurfaceQuality Measure(SurfaceState state)
+        private SurfaceQuality Measure(SurfaceState state)
         {
             using (var run = new SurfaceRun(state, variant, shaders) { IsTimed = false })
                 return run.RunToEnd();
         }
 
-        SurfaceState Solved(SurfaceState state, int frames)
+        private SurfaceState Solved(SurfaceState state, int frames)
         {
             var work = new SessionWork(state.Prepare(shaders));
-            while (state.Frames.Count < frames)
-                work.Step();
+            while (state.Frames.Count < frames) work.Step();
             work.Clear();
             return state;
         }
 
-        static void AssertClosed(SurfaceQuality quality)
+        private static void AssertClosed(SurfaceQuality quality)
         {
             Assert.That((quality.OpenEdges, quality.NonManifoldEdges, quality.FlippedEdges, quality.ZeroArea), Is.EqualTo((0, 0, 0, 0)));
             Assert.That(quality.LateBlocks, Is.Zero, "the particles mark all blocks that the surface passes");

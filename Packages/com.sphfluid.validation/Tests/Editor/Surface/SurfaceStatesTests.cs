@@ -10,7 +10,7 @@ namespace SphFluid.Tests
     /// <summary>The states, flags and table of the surface measurement.</summary>
     public sealed class SurfaceStatesTests
     {
-        static readonly SurfaceScale scale = new SurfaceScale();
+        private static readonly SurfaceScale scale = new SurfaceScale();
 
         [Test]
         public void StatesAreTheSameAtEveryCallAndLieInTheirDomains()
@@ -40,7 +40,9 @@ namespace SphFluid.Tests
                 {
                     Vector3 cells = state.Settings.DomainSize / (cell * state.Spacing);
                     for (int axis = 0; axis < 3; axis++)
+                    {
                         Assert.That(cells[axis], Is.EqualTo(Mathf.Round(cells[axis])).Within(1e-3), $"{states.Name}, cells of {cell} dx");
+                    }
                 }
             }
         }

@@ -7,7 +7,7 @@ namespace SphFluid.Tests
     /// <summary>Zhu and Bridson's field where it is known.</summary>
     public sealed class ZhuBridsonFieldTests
     {
-        static readonly SurfaceScale scale = new SurfaceScale();
+        private static readonly SurfaceScale scale = new SurfaceScale();
 
         [Test]
         public void FallsWithTheDistanceFromALoneParticle()
@@ -29,7 +29,8 @@ namespace SphFluid.Tests
             SurfaceState full = scale.Of(6f * Vector3.one, CaseLattice.Box(6 * Vector3Int.one, 1.0, Vector3.zero));
             SurfaceGrid grid = SurfaceGrid.OverDomain(full.Settings.DomainSize, full.Spacing);
 
-            Assert.That(ZhuBridsonField.Sample(full.Frames[0], full.Settings, grid), Is.All.EqualTo(1f).Within(1e-3f), "all means lie at the vertices, at walls and in corners too");
+            Assert.That(ZhuBridsonField.Sample(full.Frames[0], full.Settings, grid), Is.All.EqualTo(1f).Within(1e-3f),
+                "all means lie at the vertices, at walls and in corners too");
         }
 
         [TestCase(0.5f)]

@@ -10,8 +10,8 @@ namespace SphFluid.Tests
     /// <summary>Shards become the whole, or what keeps them from it is named. The runs are made up.</summary>
     public sealed class MergeSessionTests
     {
-        ShardedCharts charts;
-        string commit;
+        private ShardedCharts charts;
+        private string commit;
 
         [SetUp]
         public void SetUp()
@@ -36,8 +36,11 @@ namespace SphFluid.Tests
             charts.MeasureAll(shards);
             charts.Merge("merged", Enumerable.Range(1, shards).Select(i => i.ToString()).Reverse().ToArray());
 
-            foreach (string file in new[] { "accuracy.csv", "pareto.csv", "equal-cost.csv", "error-fits.csv", "accuracy.gp", "case-ellipsoid.gp", "curves/ellipsoid.standard.csv" })
+            foreach (string file in new[] { "accuracy.csv", "pareto.csv", "equal-cost.csv", "error-fits.csv", "accuracy.gp",
+                "case-ellipsoid.gp", "curves/ellipsoid.standard.csv" })
+            {
                 Assert.That(charts.Lines("merged", file), Is.EqualTo(charts.Lines("whole", file)), file);
+            }
             Assert.That(File.Exists(Path.Combine(charts.Folder("merged"), "report.html")), Is.True);
             Assert.That(charts.Lines("merged", "shards.csv"), Has.Length.EqualTo(1 + shards));
         }
@@ -62,7 +65,9 @@ namespace SphFluid.Tests
             string one = CsvText.Split(charts.Lines("2", "shard-runs.csv")[1])[0];
             var exception = Assert.Throws<IncompleteException>(() => charts.Merge("merged", "1", "3"));
 
-            Assert.That(exception.Message, Does.StartWith($"merge: {missing} of {all} runs are in no shard: {one}").And.Contain($"({missing} of shard 2/3, which is not among the folders)"));
+            Assert.That(exception.Message,
+                Does.StartWith($"merge: {missing} of {all} runs are in no shard: {one}").And
+                    .Contain($"({missing} of shard 2/3, which is not among the folders)"));
             Assert.That(charts.Lines("merged", "accuracy.csv"), Has.Length.EqualTo(1 + 2 * (all - missing)));
             Assert.That(File.Exists(Path.Combine(charts.Folder("merged"), "accuracy.gp")), Is.True);
         }
@@ -73,8 +78,7 @@ namespace SphFluid.Tests
             charts.Measure("1", "--shard", "1/2");
             using (ChartSession session = charts.Create("2", "--shard", "2/2"))
             {
-                for (int i = 0; i < 4; i++)
-                    session.Step();
+                for (int i = 0; i < 4; i++) session.Step();
             }
             // The line of a run that was being written when the machine went down.
             string runs = Path.Combine(charts.Folder("2"), "shard-runs.csv");
@@ -97,7 +101,8 @@ namespace SphFluid.Tests
             int repeated = charts.Lines("first-of-3", "shard-runs.csv").Length - 1;
 
             Assert.That(charts.Said, Has.Some.StartWith($"{repeated} of them are in more than one shard, with equal results"));
-            Assert.That(charts.Lines("merged", "accuracy.csv"), Has.Length.EqualTo(1 + 2 * (charts.Lines("1", "shard-plan.csv").Length - 1)));
+            Assert.That(charts.Lines("merged", "accuracy.csv"),
+                Has.Length.EqualTo(1 + 2 * (charts.Lines("1", "shard-plan.csv").Length - 1)));
         }
 
         [Test]
@@ -109,7 +114,8 @@ namespace SphFluid.Tests
             charts.Measure("again", "--shard", "1/2");
 
             string message = Expect("both have the run accuracy.csv|ellipsoid|standard|", "merged", "1", "2", "again");
-            Assert.That(message, Does.Contain("with unequal results: error is '").And.Contain(charts.Folder("1")).And.Contain(charts.Folder("again")));
+            Assert.That(message,
+                Does.Contain("with unequal results: error is '").And.Contain(charts.Folder("1")).And.Contain(charts.Folder("again")));
             Assert.That(Directory.Exists(charts.Folder("merged")), Is.False, "nothing is written");
         }
 
@@ -120,7 +126,9 @@ namespace SphFluid.Tests
             charts.Device = "another";
             charts.Measure("2", "--shard", "2/2");
 
-            Expect($"'{charts.Folder("2")}' is not of the same sweep as '{charts.Folder("1")}': its device is 'another', not 'a device'. Times of unlike devices do not compare; " +
+            Expect(
+                $"'{charts.Folder("2")}' is not of the same sweep as '{charts.Folder("1")}': its device is 'another', not 'a device'. " +
+                "Times of unlike devices do not compare; " +
                 "--errors-only merges all but the times.", "merged", "1", "2");
             charts.Merge("merged", "1", "2", "--errors-only");
             Func<ChartRow> create = () => new ChartRow();
@@ -141,7 +149,8 @@ namespace SphFluid.Tests
             Environment.SetEnvironmentVariable(SweepBuild.CommitVariable, "");
             charts.Measure("2", "--shard", "2/2");
 
-            Expect($"its program is 'version {SweepBuild.Version}, assemblies {SweepBuild.Assemblies}', not 'commit 1111111'.", "merged", "1", "2");
+            Expect($"its program is 'version {SweepBuild.Version}, assemblies {SweepBuild.Assemblies}', not 'commit 1111111'.",
+                "merged", "1", "2");
         }
 
         [Test]
@@ -150,7 +159,9 @@ namespace SphFluid.Tests
             charts.Measure("1", "--shard", "1/2");
             charts.Measure("2", "--shard", "2/2", "--case", "couette");
 
-            Expect("its command is 'chart --quick --case ellipsoid couette --method standard', not 'chart --quick --case ellipsoid --method standard'", "merged", "1", "2");
+            Expect(
+                "its command is 'chart --quick --case ellipsoid couette --method standard', not 'chart --quick --case ellipsoid --method " +
+                "standard'", "merged", "1", "2");
         }
 
         [Test]
@@ -185,7 +196,7 @@ namespace SphFluid.Tests
             Expect("holds accuracy.csv, which no merge wrote. Name another folder.", "whole", "1", "2");
         }
 
-        string Expect(string message, string name, params string[] words)
+        private string Expect(string message, string name, params string[] words)
         {
             var exception = Assert.Throws<CommandLineException>(() => charts.Merge(name, words));
             Assert.That(exception.Message, Does.Contain(message).And.Not.Contain("\n"));

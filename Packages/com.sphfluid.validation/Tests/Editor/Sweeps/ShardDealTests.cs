@@ -33,7 +33,8 @@ namespace SphFluid.Tests
 
         [Test]
         public void TheLongestGoFirst() =>
-            Assert.That(ShardDeal.Of(new[] { 3.0, 5.0, 3.0, 4.0 }.Select((cost, i) => (i.ToString(), cost)).ToList(), 2), Is.EqualTo(new[] { 2, 1, 1, 2 }));
+            Assert.That(ShardDeal.Of(new[] { 3.0, 5.0, 3.0, 4.0 }.Select((cost, i) => (i.ToString(), cost)).ToList(), 2),
+                Is.EqualTo(new[] { 2, 1, 1, 2 }));
 
         [Test]
         public void AGroupStaysTogether()
@@ -42,7 +43,9 @@ namespace SphFluid.Tests
             int[] deal = ShardDeal.Of(work, 3);
 
             foreach (IGrouping<string, int> group in Enumerable.Range(0, 53).GroupBy(i => work[i].Group, i => deal[i]))
+            {
                 Assert.That(group.Distinct().Count(), Is.EqualTo(1));
+            }
         }
 
         [Test]
@@ -69,11 +72,13 @@ namespace SphFluid.Tests
             Assert.That(plan.Hash, Does.Match("^[0-9a-f]{16}$"));
         }
 
-        static IReadOnlyList<SessionJob> Jobs(double scale) =>
-            Work(20).Select(w => new SessionJob("run", scale * w.Cost, () => false, () => Enumerable.Empty<int>().GetEnumerator(), key: "table.csv|" + w.Group)).ToList();
+        private static IReadOnlyList<SessionJob> Jobs(double scale) =>
+            Work(20)
+                .Select(w => new SessionJob("run", scale * w.Cost, () => false, () => Enumerable.Empty<int>().GetEnumerator(),
+                    key: "table.csv|" + w.Group)).ToList();
 
         // Costs over three decades, in no order.
-        static List<(string Group, double Cost)> Work(int count) =>
+        private static List<(string Group, double Cost)> Work(int count) =>
             Enumerable.Range(0, count).Select(i => ($"run {i}", Math.Pow(10.0, i * 7 % 53 / 17.0))).ToList();
     }
 }

@@ -9,7 +9,7 @@ namespace SphFluid.Tests
     /// <summary>What a shard does and leaves in its folder, with runs that are made up.</summary>
     public sealed class ShardFolderTests
     {
-        ShardedCharts charts;
+        private ShardedCharts charts;
 
         [SetUp]
         public void SetUp() => charts = new ShardedCharts();
@@ -52,8 +52,7 @@ namespace SphFluid.Tests
         {
             using (ChartSession session = charts.Create("1", "--shard", "1/2"))
             {
-                for (int i = 0; i < 4; i++)
-                    session.Step();
+                for (int i = 0; i < 4; i++) session.Step();
             }
             int first = charts.Done.Count;
             charts.Measure("1", "--shard", "1/2");
@@ -68,9 +67,13 @@ namespace SphFluid.Tests
         {
             charts.Measure("1", "--shard", "1/2");
 
-            Expect("holds shard 1/2 of 'chart --quick --case ellipsoid --method standard', and this is shard 2/2. Give each shard a folder of its own.", "1", "--shard", "2/2");
+            Expect(
+                "holds shard 1/2 of 'chart --quick --case ellipsoid --method standard', and this is shard 2/2. Give each shard a folder " +
+                "of its own.", "1", "--shard", "2/2");
             Expect("Go on with --shard 1/2, or name another folder.", "1");
-            Expect("holds a shard of another command: 'chart --quick --case ellipsoid --method standard', and this is 'chart --quick --case ellipsoid jet --method standard'",
+            Expect(
+                "holds a shard of another command: 'chart --quick --case ellipsoid --method standard', and this is 'chart --quick --case " +
+                "ellipsoid jet --method standard'",
                 "1", "--shard", "1/2", "--case", "jet");
         }
 
@@ -119,7 +122,7 @@ namespace SphFluid.Tests
             Expect("does not have one line that names a shard. Name another folder, or move the file away.", "1", "--shard", "1/2");
         }
 
-        void Expect(string message, string name, params string[] words) =>
+        private void Expect(string message, string name, params string[] words) =>
             Assert.That(() => charts.Create(name, words), Throws.TypeOf<CommandLineException>().With.Message.Contains(message));
     }
 }

@@ -29,7 +29,8 @@ namespace SphFluid.Tests
         [TestCase(" 1/3")]
         [TestCase("1/4294967297")]
         public void WhatIsNoneIsNamedWithItsCure(string value) => Assert.That(() => Shard.Parse("--shard", value),
-            Throws.TypeOf<CommandLineException>().With.Message.EqualTo($"--shard must be I/N, one of N shards from 1/N to N/N with N at most 10000, such as 1/4; found '{value}'."));
+            Throws.TypeOf<CommandLineException>().With.Message
+                .EqualTo($"--shard must be I/N, one of N shards from 1/N to N/N with N at most 10000, such as 1/4; found '{value}'."));
 
         [Test]
         public void WithoutAFolderEachShardHasItsOwn()
@@ -52,10 +53,11 @@ namespace SphFluid.Tests
         {
             string[] words = ("--" + line.Substring(line.Split(' ')[0].Length)).Split(' ');
             Assert.That(Parse(line.Split(' ')[0], words).Command, Is.EqualTo(command));
-            Assert.That(Parse(line.Split(' ')[0], ("--" + command.Substring(line.Split(' ')[0].Length)).Split(' ')).Command, Is.EqualTo(command));
+            Assert.That(Parse(line.Split(' ')[0], ("--" + command.Substring(line.Split(' ')[0].Length)).Split(' ')).Command,
+                Is.EqualTo(command));
         }
 
-        static MeasuringArguments Parse(string verb, string[] words)
+        private static MeasuringArguments Parse(string verb, string[] words)
         {
             switch (verb)
             {

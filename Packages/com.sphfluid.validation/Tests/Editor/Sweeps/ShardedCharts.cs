@@ -8,9 +8,9 @@ using SphFluid.Validation;
 namespace SphFluid.Tests
 {
     /// <summary>Charts of one case whose runs are made up, whole and in shards, below a folder of their own.</summary>
-    sealed class ShardedCharts : IDisposable
+    internal sealed class ShardedCharts : IDisposable
     {
-        readonly string root = TestFolder.Fresh();
+        private readonly string root = TestFolder.Fresh();
 
         /// <summary>What the sessions said.</summary>
         public List<string> Said { get; } = new List<string>();
@@ -22,7 +22,11 @@ namespace SphFluid.Tests
         public string Device { get; set; } = "a device";
 
         /// <summary>The main error of a run.</summary>
-        public Func<ChartRun, double> Error { get; set; } = run => 0.1 * run.Config.Spacing / run.Config.SupportRatio * (1.0 + 0.01 * run.Seed);
+        public Func<ChartRun, double> Error
+        {
+            get;
+            set;
+        } = run => 0.1 * run.Config.Spacing / run.Config.SupportRatio * (1.0 + 0.01 * run.Seed);
 
         /// <summary>Times are this much longer.</summary>
         public double Slowness { get; set; } = 1.0;
@@ -46,21 +50,25 @@ namespace SphFluid.Tests
         /// <summary>Each of N shards in a folder of its number.</summary>
         public void MeasureAll(int shards)
         {
-            for (int i = 1; i <= shards; i++)
-                Measure(i.ToString(), "--shard", $"{i}/{shards}");
+            for (int i = 1; i <= shards; i++) Measure(i.ToString(), "--shard", $"{i}/{shards}");
         }
 
         public ChartSession Create(string name, params string[] words)
         {
-            ChartArguments arguments = ChartArguments.Parse(new[] { "--", "--quick", "--case", "ellipsoid", "--method", "standard", "--out", Folder(name) }.Concat(words).ToArray());
-            return new ChartSession(arguments, ChartPlan.Quick(arguments.Cases, arguments.Methods), Run, new SessionProgress(Said.Add, null), Device, new SessionRate(null));
+            ChartArguments arguments =
+                ChartArguments.Parse(new[] { "--", "--quick", "--case", "ellipsoid", "--method", "standard", "--out",
+                    Folder(name) }.Concat(words).ToArray());
+            return new ChartSession(arguments, ChartPlan.Quick(arguments.Cases, arguments.Methods), Run,
+                new SessionProgress(Said.Add, null), Device, new SessionRate(null));
         }
 
         /// <summary>Merges folders; flags begin with two dashes.</summary>
         public void Merge(string name, params string[] words)
         {
             string[] line = words.Select(w => w.StartsWith("--", StringComparison.Ordinal) ? w : Folder(w)).ToArray();
-            using (var session = new MergeSession(MergeArguments.Parse(new[] { "--" }.Concat(line).Append("--out=" + Folder(name)).ToArray()), new SessionProgress(Said.Add, null)))
+            using (var session =
+                new MergeSession(MergeArguments.Parse(new[] { "--" }.Concat(line).Append("--out=" + Folder(name)).ToArray()),
+                    new SessionProgress(Said.Add, null)))
             {
                 while (session.Step())
                 {
@@ -73,7 +81,7 @@ namespace SphFluid.Tests
             TestFolder.Delete(root);
         }
 
-        IEnumerator Run(ChartRun run, Action<CaseResult> hand)
+        private IEnumerator Run(ChartRun run, Action<CaseResult> hand)
         {
             yield return null;
             Done.Add(run.Key);

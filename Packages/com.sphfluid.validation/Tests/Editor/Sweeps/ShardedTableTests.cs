@@ -8,7 +8,7 @@ namespace SphFluid.Tests
     /// <summary>Lines of shards' tables as text: whose run they are, what is time and what is result.</summary>
     public sealed class ShardedTableTests
     {
-        static readonly ShardedTable table = ShardedTable.Of(MadeUpRow.Format, new[] { "name", "on" }, "speed_m_s");
+        private static readonly ShardedTable table = ShardedTable.Of(MadeUpRow.Format, new[] { "name", "on" }, "speed_m_s");
 
         [Test]
         public void ALineKnowsItsRun()
@@ -19,7 +19,8 @@ namespace SphFluid.Tests
 
         [Test]
         public void TimesAreLeftOutAndNothingElse() =>
-            Assert.That(table.WithoutTimes("\"a, b\",2.5,10,yes,\"llvmpipe (LLVM, 256 bits)\",2026-11-25"), Is.EqualTo("\"a, b\",,10,yes,\"llvmpipe (LLVM, 256 bits)\",2026-11-25"));
+            Assert.That(table.WithoutTimes("\"a, b\",2.5,10,yes,\"llvmpipe (LLVM, 256 bits)\",2026-11-25"),
+                Is.EqualTo("\"a, b\",,10,yes,\"llvmpipe (LLVM, 256 bits)\",2026-11-25"));
 
         [Test]
         public void OnlyResultsDiffer()
@@ -37,8 +38,10 @@ namespace SphFluid.Tests
             leak.End = leak.Scene.Particles;
             var quality = new SurfaceQuality { State = "sphere", Variant = "default" };
 
-            Assert.That(ShardedVerb.Find("leaks").Tables.Single().KeyOf(LeakResult.Format.Line(leak)), Is.EqualTo(ShardedTable.RunKey(LeakResult.Format, "wall")));
-            Assert.That(ShardedVerb.Find("surfaces").Tables.Single().KeyOf(SurfaceQuality.Format.Line(quality)), Is.EqualTo(ShardedTable.RunKey(SurfaceQuality.Format, "sphere|default")));
+            Assert.That(ShardedVerb.Find("leaks").Tables.Single().KeyOf(LeakResult.Format.Line(leak)),
+                Is.EqualTo(ShardedTable.RunKey(LeakResult.Format, "wall")));
+            Assert.That(ShardedVerb.Find("surfaces").Tables.Single().KeyOf(SurfaceQuality.Format.Line(quality)),
+                Is.EqualTo(ShardedTable.RunKey(SurfaceQuality.Format, "sphere|default")));
         }
 
         [Test]

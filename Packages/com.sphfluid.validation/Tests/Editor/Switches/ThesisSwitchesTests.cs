@@ -7,12 +7,13 @@ using UnityEngine;
 namespace SphFluid.Tests
 {
     /// <summary>
-    /// What each printed form of the thesis does, seen beside the form that works; Documentation~/printed-forms.md shows the pictures, which go on for longer.
+    /// What each printed form of the thesis does, seen beside the form that works; Documentation~/printed-forms.md shows the pictures,
+    /// which go on for longer.
     /// </summary>
     public sealed class ThesisSwitchesTests
     {
-        FluidShaderSet shaders;
-        SwitchResult column;
+        private FluidShaderSet shaders;
+        private SwitchResult column;
 
         [SetUp]
         public void CreateShaders() => shaders = TestShaders.CreateSet();
@@ -50,8 +51,11 @@ namespace SphFluid.Tests
                 settings.Viscosity *= 2f;
                 solver.ApplySettings(settings);
                 Assert.That(solver.Settings, Is.EqualTo(settings.With(ThesisSwitches.Printed)), "after a change");
-                Assert.That(solver.Settings.Own<ThesisSettings>().SelfDensity || solver.Settings.PressureClamp || solver.Settings.Own<ThesisSettings>().HalfKick, Is.False);
-                Assert.That(solver.Settings.Own<ThesisSettings>().ForceTimesMass && solver.Settings.Own<ThesisSettings>().AccelerationLimitEnabled && solver.Settings.Own<ThesisSettings>().PressureHalf, Is.True);
+                Assert.That(solver.Settings.Own<ThesisSettings>().SelfDensity || solver.Settings.PressureClamp ||
+                    solver.Settings.Own<ThesisSettings>().HalfKick, Is.False);
+                Assert.That(solver.Settings.Own<ThesisSettings>().ForceTimesMass &&
+                    solver.Settings.Own<ThesisSettings>().AccelerationLimitEnabled &&
+                    solver.Settings.Own<ThesisSettings>().PressureHalf, Is.True);
             }
         }
 
@@ -92,13 +96,15 @@ namespace SphFluid.Tests
         [Test]
         public void EightCellsOfTheWrongSizeMakeAColumnBoil()
         {
-            Assert.That(Printed(SwitchCatalogue.EightCells(), 0.7f).MeanSpeed, Is.GreaterThan(3.0 * Column(SwitchCatalogue.EightCells()).MeanSpeed));
+            Assert.That(Printed(SwitchCatalogue.EightCells(), 0.7f).MeanSpeed,
+                Is.GreaterThan(3.0 * Column(SwitchCatalogue.EightCells()).MeanSpeed));
         }
 
         [Test]
         public void WithoutItselfAParticleFindsTooLittleAndTheColumnShrinks()
         {
-            Assert.That(Printed(SwitchCatalogue.SelfDensity(), 0.35f).MeanHeight, Is.LessThan(0.9 * Column(SwitchCatalogue.SelfDensity()).MeanHeight));
+            Assert.That(Printed(SwitchCatalogue.SelfDensity(), 0.35f).MeanHeight,
+                Is.LessThan(0.9 * Column(SwitchCatalogue.SelfDensity()).MeanHeight));
         }
 
         [Test]
@@ -124,7 +130,8 @@ namespace SphFluid.Tests
         [Test]
         public void ThePrintedLimitCannotCarryTheLiquid()
         {
-            SwitchResult corrected = Column(SwitchCatalogue.AccelerationLimit()), printed = Printed(SwitchCatalogue.AccelerationLimit(), 0.3f);
+            SwitchResult corrected = Column(SwitchCatalogue.AccelerationLimit()),
+                printed = Printed(SwitchCatalogue.AccelerationLimit(), 0.3f);
             Assert.That(corrected.Counters.AccelerationLimitHits, Is.Zero);
             Assert.That(printed.Settings.Own<ThesisSettings>().AccelerationLimit, Is.LessThan(9.81f));
             Assert.That(printed.Counters.AccelerationLimitHits, Is.GreaterThan(10000));
@@ -166,35 +173,38 @@ namespace SphFluid.Tests
             Assert.That(Printed(experiment, 0.15f).MeanHeight, Is.LessThan(0.35 * start));
         }
 
-        static FluidParticle[] Pair() => ParticleSets.Lattice(new Vector3Int(2, 1, 1), 0.05f, 0f, 1);
+        private static FluidParticle[] Pair() => ParticleSets.Lattice(new Vector3Int(2, 1, 1), 0.05f, 0f, 1);
 
-        void Run(SwitchExperiment experiment, float seconds, out SwitchResult corrected, out SwitchResult printed)
+        private void Run(SwitchExperiment experiment, float seconds, out SwitchResult corrected, out SwitchResult printed)
         {
             Assert.That(experiment.Start.Length, Is.LessThanOrEqualTo(2000), "small");
             corrected = Lasting(experiment, seconds).Run(false, shaders);
             printed = Printed(experiment, seconds);
         }
 
-        SwitchResult Printed(SwitchExperiment experiment, float seconds)
+        private SwitchResult Printed(SwitchExperiment experiment, float seconds)
         {
             SwitchResult printed = Lasting(experiment, seconds).Run(true, shaders);
-            TestContext.WriteLine($"{experiment.Name}: height {printed.MeanHeight:g4} m, speed {printed.MeanSpeed:g4} m/s, slope {printed.PressureSlope:g4}");
+            TestContext.WriteLine(
+                $"{experiment.Name}: height {printed.MeanHeight:g4} m, speed {printed.MeanSpeed:g4} m/s, slope {printed.PressureSlope:g4}");
             return printed;
         }
 
         // Several experiments have the same corrected side: a column that has come to rest, run once.
-        SwitchResult Column(SwitchExperiment experiment)
+        private SwitchResult Column(SwitchExperiment experiment)
         {
             SwitchExperiment calm = Lasting(SwitchCatalogue.EightCells(), 0.7f);
             Assert.That(experiment.Corrected, Is.EqualTo(calm.Corrected));
             return column = column ?? calm.Run(false, shaders);
         }
 
-        static SwitchExperiment Lasting(SwitchExperiment experiment, float seconds) =>
-            new SwitchExperiment(experiment.Name, experiment.Start, seconds, experiment.Corrected, experiment.Printed) { EightCellsOfSmoothLength = experiment.EightCellsOfSmoothLength };
+        private static SwitchExperiment Lasting(SwitchExperiment experiment, float seconds) =>
+            new SwitchExperiment(experiment.Name, experiment.Start, seconds, experiment.Corrected,
+                experiment.Printed)
+            { EightCellsOfSmoothLength = experiment.EightCellsOfSmoothLength };
 
         // On the corner particle of a squeezed lattice.
-        static double Force(in FluidSolverSettings settings)
+        private static double Force(in FluidSolverSettings settings)
         {
             using (var rig = new ThesisRig(settings, Squeezed(settings)))
             {
@@ -204,7 +214,7 @@ namespace SphFluid.Tests
             }
         }
 
-        static Double3 Acceleration(FluidSolverSettings settings, out float density)
+        private static Double3 Acceleration(FluidSolverSettings settings, out float density)
         {
             settings.Gravity = Vector3.zero;
             using (var rig = new ThesisRig(settings, Squeezed(settings)))
@@ -218,9 +228,9 @@ namespace SphFluid.Tests
             }
         }
 
-        static FluidParticle[] Squeezed(in FluidSolverSettings settings) =>
+        private static FluidParticle[] Squeezed(in FluidSolverSettings settings) =>
             ParticleSets.Lattice(new Vector3Int(5, 5, 5), 0.7f * settings.Spacing, 0f, 1);
 
-        static int First(ThesisRig rig) => Array.FindIndex(rig.ReadParticles(), p => p.Id == 0);
+        private static int First(ThesisRig rig) => Array.FindIndex(rig.ReadParticles(), p => p.Id == 0);
     }
 }

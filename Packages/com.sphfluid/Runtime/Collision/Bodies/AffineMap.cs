@@ -58,14 +58,18 @@ namespace SphFluid
         {
             (double x, double y, double z) = a.Turned(b.X, b.Y, b.Z);
             return new AffineMap(
-                a.M00 * b.M00 + a.M01 * b.M10 + a.M02 * b.M20, a.M00 * b.M01 + a.M01 * b.M11 + a.M02 * b.M21, a.M00 * b.M02 + a.M01 * b.M12 + a.M02 * b.M22,
-                a.M10 * b.M00 + a.M11 * b.M10 + a.M12 * b.M20, a.M10 * b.M01 + a.M11 * b.M11 + a.M12 * b.M21, a.M10 * b.M02 + a.M11 * b.M12 + a.M12 * b.M22,
-                a.M20 * b.M00 + a.M21 * b.M10 + a.M22 * b.M20, a.M20 * b.M01 + a.M21 * b.M11 + a.M22 * b.M21, a.M20 * b.M02 + a.M21 * b.M12 + a.M22 * b.M22,
+                a.M00 * b.M00 + a.M01 * b.M10 + a.M02 * b.M20, a.M00 * b.M01 + a.M01 * b.M11 + a.M02 * b.M21,
+                a.M00 * b.M02 + a.M01 * b.M12 + a.M02 * b.M22,
+                a.M10 * b.M00 + a.M11 * b.M10 + a.M12 * b.M20, a.M10 * b.M01 + a.M11 * b.M11 + a.M12 * b.M21,
+                a.M10 * b.M02 + a.M11 * b.M12 + a.M12 * b.M22,
+                a.M20 * b.M00 + a.M21 * b.M10 + a.M22 * b.M20, a.M20 * b.M01 + a.M21 * b.M11 + a.M22 * b.M21,
+                a.M20 * b.M02 + a.M21 * b.M12 + a.M22 * b.M22,
                 x + a.X, y + a.Y, z + a.Z);
         }
 
         /// <summary>The linear part times a number; the same offset.</summary>
-        public AffineMap Scaled(double s) => new AffineMap(s * M00, s * M01, s * M02, s * M10, s * M11, s * M12, s * M20, s * M21, s * M22, X, Y, Z);
+        public AffineMap Scaled(double s) =>
+            new AffineMap(s * M00, s * M01, s * M02, s * M10, s * M11, s * M12, s * M20, s * M21, s * M22, X, Y, Z);
 
         /// <summary>The linear part times a number and plus another map's times a number; the offset of this one.</summary>
         public AffineMap Mixed(double a, in AffineMap other, double b) => new AffineMap(
@@ -87,9 +91,9 @@ namespace SphFluid
             return Math.Max(Largest(d.M00, d.M01, d.M02), Math.Max(Largest(d.M10, d.M11, d.M12), Largest(d.M20, d.M21, d.M22)));
         }
 
-        (double, double, double) Turned(double x, double y, double z) =>
+        private (double, double, double) Turned(double x, double y, double z) =>
             (M00 * x + M01 * y + M02 * z, M10 * x + M11 * y + M12 * z, M20 * x + M21 * y + M22 * z);
 
-        static double Largest(double a, double b, double c) => Math.Max(Math.Abs(a), Math.Max(Math.Abs(b), Math.Abs(c)));
+        private static double Largest(double a, double b, double c) => Math.Max(Math.Abs(a), Math.Max(Math.Abs(b), Math.Abs(c)));
     }
 }

@@ -44,17 +44,17 @@ namespace SphFluid
     }
 
     /// <summary>
-    /// Goes through the cells that list a triangle whose corners go straight from a start to an end: those whose cube is within the reach of
-    /// the box of all six and of the slab along the first normal that holds them.
+    /// Goes through the cells that list a triangle whose corners go straight from a start to an end: those whose cube is within the reach
+    /// of the box of all six and of the slab along the first normal that holds them.
     /// </summary>
     internal struct BodyCellWalk
     {
-        readonly BodyCells cells;
-        readonly BodyTriangle triangle;
-        readonly double reachSquared, lowest, highest; // of a cell's cube from the box, and of its middle along the normal
-        readonly Vector3 min, max;
-        readonly int x0, x1, y0, y1, z1;
-        int x, y, z;
+        private readonly BodyCells cells;
+        private readonly BodyTriangle triangle;
+        private readonly double reachSquared, lowest, highest; // of a cell's cube from the box, and of its middle along the normal
+        private readonly Vector3 min, max;
+        private readonly int x0, x1, y0, y1, z1;
+        private int x, y, z;
 
         public BodyCellWalk(in BodyCells cells, in BodyTriangle triangle, in BodyTriangle end)
         {
@@ -70,7 +70,8 @@ namespace SphFluid
             y1 = Cell((max.y + reach - cells.Origin.y) / cells.Side, cells.CountY);
             int z0 = Cell((min.z - reach - cells.Origin.z) / cells.Side, cells.CountZ);
             z1 = Cell((max.z + reach - cells.Origin.z) / cells.Side, cells.CountZ);
-            double farthest = 0.5 * cells.Side * (Math.Abs(triangle.NormalX) + Math.Abs(triangle.NormalY) + Math.Abs(triangle.NormalZ)) + reach + slack;
+            double farthest = 0.5 * cells.Side * (Math.Abs(triangle.NormalX) + Math.Abs(triangle.NormalY) + Math.Abs(triangle.NormalZ)) +
+                reach + slack;
             double a = triangle.Height(end.A), b = triangle.Height(end.B), c = triangle.Height(end.C);
             lowest = Math.Min(0.0, Math.Min(a, Math.Min(b, c))) - farthest;
             highest = Math.Max(0.0, Math.Max(a, Math.Max(b, c))) + farthest;
@@ -102,21 +103,22 @@ namespace SphFluid
             return true;
         }
 
-        bool IsNearBox()
+        private bool IsNearBox()
         {
-            double dx = Apart(cells.Origin.x, x, min.x, max.x), dy = Apart(cells.Origin.y, y, min.y, max.y), dz = Apart(cells.Origin.z, z, min.z, max.z);
+            double dx = Apart(cells.Origin.x, x, min.x, max.x), dy = Apart(cells.Origin.y, y, min.y, max.y),
+                dz = Apart(cells.Origin.z, z, min.z, max.z);
             return dx * dx + dy * dy + dz * dz <= reachSquared;
         }
 
         // Of a cell and the box along an axis.
-        double Apart(double origin, int cell, double low, double high)
+        private double Apart(double origin, int cell, double low, double high)
         {
             double begin = origin + cell * (double)cells.Side;
             return Math.Max(0.0, Math.Max(low - begin - cells.Side, begin - high));
         }
 
         // A needle's normal is zero: its box decides.
-        bool IsInSlab()
+        private bool IsInSlab()
         {
             double dx = cells.Origin.x + (x + 0.5) * cells.Side - triangle.A.x;
             double dy = cells.Origin.y + (y + 0.5) * cells.Side - triangle.A.y;
@@ -125,6 +127,6 @@ namespace SphFluid
             return height >= lowest && height <= highest;
         }
 
-        static int Cell(double coordinate, int count) => (int)Math.Min(Math.Max(Math.Floor(coordinate), 0.0), count - 1);
+        private static int Cell(double coordinate, int count) => (int)Math.Min(Math.Max(Math.Floor(coordinate), 0.0), count - 1);
     }
 }

@@ -3,11 +3,14 @@ using UnityEngine;
 
 namespace SphFluid
 {
-    /// <summary>The triangles of a body that deforms, in its rigid frame: those of the start of the frame and those of its end, between which corners go straight.</summary>
+    /// <summary>
+    /// The triangles of a body that deforms, in its rigid frame: those of the start of the frame and those of its end, between which
+    /// corners go straight.
+    /// </summary>
     internal sealed class BodyDeformation
     {
-        BodyStretch lastStretch = BodyStretch.None;
-        bool isNew = true;
+        private BodyStretch lastStretch = BodyStretch.None;
+        private bool isNew = true;
 
         /// <param name="mesh">The triangles before they deform.</param>
         /// <param name="state">The collider that they are of.</param>

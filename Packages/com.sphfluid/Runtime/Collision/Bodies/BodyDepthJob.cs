@@ -6,14 +6,15 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>
-    /// Finds how deep solids are behind their triangles, along the normal from four places of each. A triangle of a deep solid is part of its boundary from
-    /// both sides; of a thin plate only the side counts that liquid sees, or its back would take away what its front adds.
+    /// Finds how deep solids are behind their triangles, along the normal from four places of each. A triangle of a deep solid is part of
+    /// its boundary from both sides; of a thin plate only the side counts that liquid sees, or its back would take away what its front
+    /// adds.
     /// </summary>
     [BurstCompile(FloatPrecision.High, FloatMode.Strict)]
     internal struct BodyDepthJob : IJob
     {
         // Of a corner's weight, from the middle: there a wedge is thin.
-        const float Outwards = 0.8f;
+        private const float Outwards = 0.8f;
 
         public BodyCells Cells;
         public uint FirstReference;
@@ -39,14 +40,15 @@ namespace SphFluid
                 if (Solids[t] == 0) continue;
                 BodyTriangle triangle = Triangles[t];
                 Vector3 middle = (triangle.A + triangle.B + triangle.C) / 3f;
-                uint deep = MeshSurfaces.Deep & Seen(t, middle) & Seen(t, Vector3.Lerp(middle, triangle.A, Outwards)) & Seen(t, Vector3.Lerp(middle, triangle.B, Outwards)) &
+                uint deep = MeshSurfaces.Deep & Seen(t, middle) & Seen(t, Vector3.Lerp(middle, triangle.A, Outwards)) &
+                    Seen(t, Vector3.Lerp(middle, triangle.B, Outwards)) &
                     Seen(t, Vector3.Lerp(middle, triangle.C, Outwards));
                 Edges[t] &= ~MeshSurfaces.Deep | deep;
             }
         }
 
         // The sides on which nothing of the solid is near; both where no cell is.
-        uint Seen(int t, Vector3 place)
+        private uint Seen(int t, Vector3 place)
         {
             var normal = new Vector3(Triangles[t].NormalX, Triangles[t].NormalY, Triangles[t].NormalZ);
             int cell = Cells.At(place);
@@ -55,7 +57,11 @@ namespace SphFluid
             for (uint r = Starts[cell]; r < Starts[cell + 1]; r++)
             {
                 int other = (int)(References[(int)(r - FirstReference)] - FirstTriangle);
-                if (other == t || Solids[other] != Solids[t] || !TriangleMath.LineCrosses(place, normal, Triangles[other].A, Triangles[other].B, Triangles[other].C, out float along)) continue;
+                if (other == t || Solids[other] != Solids[t] ||
+                    !TriangleMath.LineCrosses(place, normal, Triangles[other].A, Triangles[other].B, Triangles[other].C, out float along))
+                {
+                    continue;
+                }
                 if (along < 0f && along > -Depth) deep &= ~MeshSurfaces.DeepBehind;
                 if (along > 0f && along < Depth) deep &= ~MeshSurfaces.DeepAhead;
             }

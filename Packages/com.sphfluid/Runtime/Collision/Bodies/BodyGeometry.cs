@@ -10,22 +10,22 @@ namespace SphFluid
     /// <summary>Triangles of all bodies and each body's lists by cell, on the CPU and on the GPU.</summary>
     internal sealed class BodyGeometry : IDisposable
     {
-        static readonly int TrianglesId = Shader.PropertyToID("_BodyTriangles");
-        static readonly int CellsId = Shader.PropertyToID("_BodyCells");
-        static readonly int ReferencesId = Shader.PropertyToID("_CellTriangles");
-        static readonly int EdgesId = Shader.PropertyToID("_TriangleEdges");
+        private static readonly int TrianglesId = Shader.PropertyToID("_BodyTriangles");
+        private static readonly int CellsId = Shader.PropertyToID("_BodyCells");
+        private static readonly int ReferencesId = Shader.PropertyToID("_CellTriangles");
+        private static readonly int EdgesId = Shader.PropertyToID("_TriangleEdges");
 
-        readonly float reach;
-        readonly List<BodyTriangle> triangles = new List<BodyTriangle>();
-        readonly List<uint> edges = new List<uint>(); // of the triangles, as MeshSurfaces has them
-        readonly List<BodyTriangle> ends = new List<BodyTriangle>(); // of the body that is being added, where it deforms
-        readonly List<int> solids = new List<int>(); // of the body that is being added: number of each triangle's solid, 0 for none
-        readonly List<BodyGrid> grids = new List<BodyGrid>();
-        int first; // triangle of the body that is being added
-        uint surfaces; // of that body
-        uint cellCount, referenceCount;
-        Lengths steady; // before the bodies that are made anew every frame
-        GraphicsBuffer triangleBuffer, edgeBuffer, cellBuffer, referenceBuffer;
+        private readonly float reach;
+        private readonly List<BodyTriangle> triangles = new List<BodyTriangle>();
+        private readonly List<uint> edges = new List<uint>(); // of the triangles, as MeshSurfaces has them
+        private readonly List<BodyTriangle> ends = new List<BodyTriangle>(); // of the body that is being added, where it deforms
+        private readonly List<int> solids = new List<int>(); // of the body that is being added: number of each triangle's solid, 0 for none
+        private readonly List<BodyGrid> grids = new List<BodyGrid>();
+        private int first; // triangle of the body that is being added
+        private uint surfaces; // of that body
+        private uint cellCount, referenceCount;
+        private Lengths steady; // before the bodies that are made anew every frame
+        private GraphicsBuffer triangleBuffer, edgeBuffer, cellBuffer, referenceBuffer;
 
         /// <param name="reach">How far a cell looks [m].</param>
         public BodyGeometry(float reach)
@@ -55,7 +55,8 @@ namespace SphFluid
         }
 
         /// <summary>What is added from here on is made anew every frame.</summary>
-        public void BeginDeforming() => steady = new Lengths { Triangles = triangles.Count, Cells = cellCount, References = referenceCount, LeftOut = LeftOut };
+        public void BeginDeforming() =>
+            steady = new Lengths { Triangles = triangles.Count, Cells = cellCount, References = referenceCount, LeftOut = LeftOut };
 
         /// <summary>Forgets what was added since <see cref="BeginDeforming"/>.</summary>
         public void RestartDeforming()
@@ -100,12 +101,13 @@ namespace SphFluid
             {
                 mesh.GetTriangle(t, out Vector3 a, out Vector3 b, out Vector3 c);
                 if (!AffineMath.IsFinite(a) || !AffineMath.IsFinite(b) || !AffineMath.IsFinite(c)) LeftOut++;
-                else if (!within.HasValue || TriangleMath.MayOverlap(within.Value.center, half, a, b, c)) AddTriangle(a, b, c, found.Edges[t], solid);
+                else if (!within.HasValue ||
+                    TriangleMath.MayOverlap(within.Value.center, half, a, b, c)) AddTriangle(a, b, c, found.Edges[t], solid);
             }
             surfaces += (uint)found.Count;
         }
 
-        void AddTriangle(Vector3 a, Vector3 b, Vector3 c, uint own, int solid)
+        private void AddTriangle(Vector3 a, Vector3 b, Vector3 c, uint own, int solid)
         {
             triangles.Add(BodyTriangle.Create(a, b, c));
             edges.Add(own + (surfaces << MeshSurfaces.NumberShift) + (solid > 0 ? MeshSurfaces.Deep : 0u));
@@ -124,7 +126,8 @@ namespace SphFluid
             if (count == 0) return false;
             float looks = reach / leastStretch;
             bool deforms = ends.Count > 0;
-            var grid = new BodyGrid(triangles.GetRange(first, count).ToArray(), deforms ? ends.ToArray() : null, looks, within, (uint)first, referenceCount);
+            var grid = new BodyGrid(triangles.GetRange(first, count).ToArray(), deforms ? ends.ToArray() : null, looks, within, (uint)first,
+                referenceCount);
             grids.Add(grid);
             FindDepths(grid, looks);
             solids.Clear();
@@ -154,7 +157,7 @@ namespace SphFluid
         }
 
         // Of the last body, whose cells look so far: twice as far as a wall is felt.
-        void FindDepths(BodyGrid grid, float looks)
+        private void FindDepths(BodyGrid grid, float looks)
         {
             if (!solids.Exists(s => s > 0)) return;
             int count = triangles.Count - first;
@@ -164,7 +167,8 @@ namespace SphFluid
             {
                 new BodyDepthJob
                 {
-                    Cells = grid.Cells, FirstReference = referenceCount, FirstTriangle = (uint)first, Depth = 0.5f * looks, Triangles = given, Solids = numbers,
+                    Cells = grid.Cells, FirstReference = referenceCount, FirstTriangle = (uint)first, Depth = 0.5f * looks,
+                    Triangles = given, Solids = numbers,
                     Starts = grid.Starts, References = grid.References, Edges = found,
                 }.Run();
                 for (int i = 0; i < count; i++) edges[first + i] = found[i];
@@ -177,7 +181,9 @@ namespace SphFluid
             GpuBuffers.BytesOf(WithSlack(cellCount, steady.Cells), sizeof(uint)) +
             GpuBuffers.BytesOf(WithSlack(referenceCount, steady.References), sizeof(uint));
 
-        /// <summary>Copies all to the GPU; buffers are replaced only when they grow, and leave room for what is made anew to grow by half.</summary>
+        /// <summary>
+        /// Copies all to the GPU; buffers are replaced only when they grow, and leave room for what is made anew to grow by half.
+        /// </summary>
         public void Upload()
         {
             GpuBuffers.Reserve(ref triangleBuffer, "BodyTriangles", WithSlack(triangles.Count, steady.Triangles), BodyTriangle.Stride);
@@ -191,12 +197,15 @@ namespace SphFluid
         /// <returns>False where the buffers are too small: all has to be made and copied anew.</returns>
         public bool TryUploadDeforming()
         {
-            if (triangles.Count > triangleBuffer.count || cellCount > cellBuffer.count || referenceCount > referenceBuffer.count) return false;
+            if (triangles.Count > triangleBuffer.count || cellCount > cellBuffer.count || referenceCount > referenceBuffer.count)
+            {
+                return false;
+            }
             Upload(steady);
             return true;
         }
 
-        void Upload(Lengths from)
+        private void Upload(Lengths from)
         {
             triangleBuffer.SetData(triangles, from.Triangles, from.Triangles, triangles.Count - from.Triangles);
             edgeBuffer.SetData(edges, from.Triangles, from.Triangles, edges.Count - from.Triangles);
@@ -229,22 +238,22 @@ namespace SphFluid
             GpuBuffers.Dispose(ref referenceBuffer);
         }
 
-        void DisposeGrids()
+        private void DisposeGrids()
         {
             foreach (BodyGrid grid in grids) grid.Dispose();
             grids.Clear();
         }
 
-        static long WithSlack(long count, long before) => count + (count - before) / 2;
+        private static long WithSlack(long count, long before) => count + (count - before) / 2;
 
         // Of the lists.
-        struct Lengths
+        private struct Lengths
         {
             public int Triangles, LeftOut;
             public uint Cells, References;
         }
 
-        static void Append(GraphicsBuffer buffer, NativeArray<uint> data, ref int at)
+        private static void Append(GraphicsBuffer buffer, NativeArray<uint> data, ref int at)
         {
             if (data.Length > 0) buffer.SetData(data, 0, at, data.Length);
             at += data.Length;

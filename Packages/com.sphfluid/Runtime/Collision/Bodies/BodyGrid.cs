@@ -11,21 +11,23 @@ namespace SphFluid
     /// </summary>
     internal sealed class BodyGrid : IDisposable
     {
-        const long MostCells = 2 * 1024 * 1024;
+        private const long MostCells = 2 * 1024 * 1024;
 
         // 64 MiB: lists that would be longer are of cells of twice the side, which takes a quarter of the memory.
-        const long MostReferences = 16 * 1024 * 1024;
+        private const long MostReferences = 16 * 1024 * 1024;
 
-        NativeArray<uint> starts, references;
+        private NativeArray<uint> starts, references;
 
         /// <summary>Cells over the triangles' bounds, the reach added.</summary>
         /// <param name="triangles">The body's.</param>
-        /// <param name="ends">Where their corners go, straight; null where they rest. The cells are larger then: these lists are made every frame.</param>
+        /// <param name="ends">Where their corners go, straight; null where they rest. The cells are larger then: these lists are made every
+        /// frame.</param>
         /// <param name="reach">How far a cell looks [m].</param>
         /// <param name="within">Bounds beyond which no particle is; null for none.</param>
         /// <param name="firstTriangle">Number that the first triangle has in the lists.</param>
         /// <param name="firstReference">Number that the first entry of the lists has in the ranges.</param>
-        public BodyGrid(BodyTriangle[] triangles, BodyTriangle[] ends, float reach, Bounds? within, uint firstTriangle = 0u, uint firstReference = 0u)
+        public BodyGrid(BodyTriangle[] triangles, BodyTriangle[] ends, float reach, Bounds? within, uint firstTriangle = 0u,
+            uint firstReference = 0u)
         {
             Vector3 min = Vector3.positiveInfinity, max = Vector3.negativeInfinity;
             for (int i = 0; i < triangles.Length; i++)
@@ -48,8 +50,12 @@ namespace SphFluid
             using (var goals = new NativeArray<BodyTriangle>(ends ?? triangles, Allocator.TempJob))
             {
                 Count(given, goals, BodyCells.Over(low, high, reach, side, MostCells), firstReference);
-                if (starts[Cells.Count] - (long)firstReference > MostReferences) Count(given, goals, BodyCells.Over(low, high, reach, 2f * side, MostCells), firstReference);
-                references = new NativeArray<uint>((int)(starts[Cells.Count] - firstReference), Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
+                if (starts[Cells.Count] - (long)firstReference > MostReferences)
+                {
+                    Count(given, goals, BodyCells.Over(low, high, reach, 2f * side, MostCells), firstReference);
+                }
+                references = new NativeArray<uint>((int)(starts[Cells.Count] - firstReference), Allocator.Persistent,
+                    NativeArrayOptions.UninitializedMemory);
                 new BodyListJob
                 {
                     Cells = Cells,
@@ -73,7 +79,7 @@ namespace SphFluid
         /// <summary>Numbers of triangles, cell by cell.</summary>
         public NativeArray<uint> References => references;
 
-        void Count(NativeArray<BodyTriangle> triangles, NativeArray<BodyTriangle> ends, in BodyCells cells, uint firstReference)
+        private void Count(NativeArray<BodyTriangle> triangles, NativeArray<BodyTriangle> ends, in BodyCells cells, uint firstReference)
         {
             Dispose();
             Cells = cells;

@@ -23,12 +23,13 @@ namespace SphFluid
             {
                 (string what, string cure) = Texts();
                 return new FluidMessage(FluidSeverity.Warning, FluidIssue.ColliderJumped, Source,
-                    $"The {(Source != null ? Source.GetType().Name : "mesh")} {what}. Liquid cannot follow that: the collider was put at its new place at once, " +
+                    $"The {(Source != null ? Source.GetType().Name : "mesh")} {what}. Liquid cannot follow that: the collider was put at " +
+                    "its new place at once, " +
                     "and liquid in between is now on its other side.", cure);
             }
         }
 
-        (string what, string cure) Texts()
+        private (string what, string cure) Texts()
         {
             switch (Reason)
             {
@@ -40,8 +41,11 @@ namespace SphFluid
                     return Source is CapsuleCollider || Source is CharacterController
                         ? ("changed its length over its radius", "Scale it evenly, or use a Mesh Collider in the shape of a capsule.")
                         : TerrainPatches.IsTerrain(Source as Collider)
-                        ? ("has other heights or holes, or the domain went on to another part of it", "Edit terrain where no liquid is, and keep the domain over one part of it.")
-                        : ("has a mesh of other triangles", "Give it a mesh with the same triangles, of which only the corners are elsewhere, or change it where no liquid is.");
+                        ? ("has other heights or holes, or the domain went on to another part of it",
+                            "Edit terrain where no liquid is, and keep the domain over one part of it.")
+                        : ("has a mesh of other triangles",
+                            "Give it a mesh with the same triangles, of which only the corners are elsewhere, or change it where no " +
+                            "liquid is.");
                 default:
                     return ("moved too far within a frame", "Move it over more frames, or reset the simulation after it was moved.");
             }

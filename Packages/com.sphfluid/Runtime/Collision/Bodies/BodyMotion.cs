@@ -5,8 +5,8 @@ namespace SphFluid
 {
     /// <summary>
     /// A collider that moves: its triangles rest in a frame that was simulation space when it was first seen, and its motion since is
-    /// a stretch in that frame and a rigid pose after it. The stretch is one of scale and shear; that of a rigid collider is none. Where corners
-    /// have moved among themselves the triangles deform in the rigid frame instead.
+    /// a stretch in that frame and a rigid pose after it. The stretch is one of scale and shear; that of a rigid collider is none. Where
+    /// corners have moved among themselves the triangles deform in the rigid frame instead.
     /// </summary>
     internal sealed class BodyMotion
     {
@@ -14,16 +14,16 @@ namespace SphFluid
         public const double LeastStretch = 0.5, MostStretch = 2.0;
 
         // In a frame: less than this or more than its inverse is no motion that liquid can follow.
-        const double LeastInFrame = 0.1;
+        private const double LeastInFrame = 0.1;
 
         // Frames without a change of the stretch or of corners after which a body becomes a rigid one: 5 s at 60 Hz.
-        const int SteadyFrames = 300;
+        private const int SteadyFrames = 300;
 
-        ColliderState reference;
-        TriangleMesh mesh;
-        AffineMap toShape; // the frame of the triangles to the collider's own shape
-        FloatingBody floats;
-        int steady;
+        private ColliderState reference;
+        private TriangleMesh mesh;
+        private AffineMap toShape; // the frame of the triangles to the collider's own shape
+        private FloatingBody floats;
+        private int steady;
 
         /// <param name="solid">The collider.</param>
         /// <param name="deforms">Its corners are not those of its state, so that it deforms from where they are.</param>
@@ -45,7 +45,9 @@ namespace SphFluid
         /// <summary>Name of its object.</summary>
         public string Name { get; }
 
-        /// <summary>The triangles in the frame in which they rest; of a body that deforms, in the rigid frame at the start of the frame.</summary>
+        /// <summary>
+        /// The triangles in the frame in which they rest; of a body that deforms, in the rigid frame at the start of the frame.
+        /// </summary>
         public TriangleMesh Mesh => Deformation?.Start ?? mesh;
 
         /// <summary>The triangles of a body that deforms; null of others.</summary>
@@ -54,7 +56,10 @@ namespace SphFluid
         /// <summary>0 free slip to 1 no slip; negative: as the domain's faces.</summary>
         public float Friction { get; private set; }
 
-        /// <summary>The rigid body that the liquid moves this with; null: it goes where its collider goes. While a collider is scaled or deforms it is so as well.</summary>
+        /// <summary>
+        /// The rigid body that the liquid moves this with; null: it goes where its collider goes. While a collider is scaled or deforms it
+        /// is so as well.
+        /// </summary>
         public FloatingBody Floats => IsStretched || Deformation != null ? null : floats;
 
         public Quaternion Rotation0 { get; private set; }
@@ -71,7 +76,8 @@ namespace SphFluid
         public bool IsStretched => !Stretch0.IsNone || !Stretch1.IsNone;
 
         /// <summary>Whether the frame's motion is none.</summary>
-        public bool IsAtRest => !(Deformation != null && Deformation.IsUnderWay) && Position0 == Position1 && Rotation0.Equals(Rotation1) && Stretch0.Equals(Stretch1);
+        public bool IsAtRest => !(Deformation != null && Deformation.IsUnderWay) && Position0 == Position1 && Rotation0.Equals(Rotation1) &&
+            Stretch0.Equals(Stretch1);
 
         /// <summary>
         /// How far a particle may go in the frame of the triangles over how far it is from its first to its last place there: 1 of a
@@ -98,11 +104,13 @@ namespace SphFluid
         {
             if (IsAtRest) return last.ToSimulation;
             AffineMap start = AffineMap.FromMatrix(Matrix4x4.TRS(Position0, Rotation0, Vector3.one)) * Stretch0.Map;
-            return (start * toShape.Inverse * ColliderFrame.GetMap(reference).Inverse * AffineMap.FromMatrix(reference.ToSimulation)).Matrix;
+            return (start * toShape.Inverse * ColliderFrame.GetMap(reference).Inverse *
+                AffineMap.FromMatrix(reference.ToSimulation)).Matrix;
         }
 
         /// <summary>Corners of a body that deforms, in simulation space, where the last steps left them [m]; null of others.</summary>
-        public Vector3[] BegunCorners => Deformation?.Start.Transformed(AffineMap.FromMatrix(Matrix4x4.TRS(Position0, Rotation0, Vector3.one))).Vertices;
+        public Vector3[] BegunCorners =>
+            Deformation?.Start.Transformed(AffineMap.FromMatrix(Matrix4x4.TRS(Position0, Rotation0, Vector3.one))).Vertices;
 
         /// <summary>Ends the motion: it begins where it ended.</summary>
         public void Arrive()
@@ -122,7 +130,9 @@ namespace SphFluid
             bool deforms = Deformation != null, begins = !deforms && !ColliderFrame.HasSameShape(reference, state);
             AffineMap frame = ColliderFrame.GetMap(state);
             if ((begins || deforms) && !(ColliderFrame.MayDeform(state) && Mesh.HasTrianglesOf(solid.Mesh)))
+            {
                 return (frame * toShape).Determinant < 0.0 ? BodyFollowing.Mirrored : BodyFollowing.Reshaped;
+            }
             Friction = state.Friction;
             floats = state.Body;
             if (begins) BeginDeforming();
@@ -181,7 +191,10 @@ namespace SphFluid
             return longest + (Deformation?.Longest ?? 0f);
         }
 
-        /// <summary>Largest displacement of a place near a box of simulation space that moves with a rigid body [m]: of a wide one that turns its far ends are left out.</summary>
+        /// <summary>
+        /// Largest displacement of a place near a box of simulation space that moves with a rigid body [m]: of a wide one that turns its
+        /// far ends are left out.
+        /// </summary>
         public float LongestWithin(Bounds box, float near)
         {
             if (IsStretched || Deformation != null) return float.PositiveInfinity;
@@ -204,10 +217,10 @@ namespace SphFluid
             return (Math.Min(least0, least1), Math.Max(most0, most1));
         }
 
-        static Vector3 Corner(Vector3 min, Vector3 max, int number) =>
+        private static Vector3 Corner(Vector3 min, Vector3 max, int number) =>
             new Vector3((number & 1) == 0 ? min.x : max.x, (number & 2) == 0 ? min.y : max.y, (number & 4) == 0 ? min.z : max.z);
 
-        BodyFollowing MoveTo(in AffineMap motion, FluidObstacle solid)
+        private BodyFollowing MoveTo(in AffineMap motion, FluidObstacle solid)
         {
             if (motion.Determinant <= 0.0) return BodyFollowing.Mirrored;
             if (!PolarDecomposition.TryFind(motion, out PolarDecomposition parts)) return BodyFollowing.Scaled;
@@ -219,7 +232,7 @@ namespace SphFluid
         }
 
         // The triangles rest from now on where they are at the start of the frame, so that nothing on the GPU moves.
-        void TakeOver()
+        private void TakeOver()
         {
             AffineMap start = AffineMap.FromMatrix(Matrix4x4.TRS(Position0, Rotation0, Vector3.one)) * Stretch0.Map;
             mesh = Mesh.Transformed(start);
@@ -229,13 +242,13 @@ namespace SphFluid
         }
 
         // Scale and shear are in the corners from now on.
-        void BeginDeforming()
+        private void BeginDeforming()
         {
             TakeOver();
             Deformation = new BodyDeformation(mesh, reference);
         }
 
-        void Begin()
+        private void Begin()
         {
             Rotation0 = Rotation1 = Quaternion.identity;
             Position0 = Position1 = Vector3.zero;

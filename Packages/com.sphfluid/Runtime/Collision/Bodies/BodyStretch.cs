@@ -8,9 +8,9 @@ namespace SphFluid
     {
         // Unity's matrices are rounded: what differs by no more is the same stretch. It is compared with the last one in use, so
         // that a slow change adds up and is followed; 1e-5 of a body of 10 m is 0.1 mm.
-        const float Tolerance = 1e-5f;
+        private const float Tolerance = 1e-5f;
 
-        BodyStretch(Vector3 diagonal, Vector3 shear)
+        private BodyStretch(Vector3 diagonal, Vector3 shear)
         {
             Diagonal = diagonal;
             Shear = shear;
@@ -65,6 +65,6 @@ namespace SphFluid
 
         public override int GetHashCode() => HashCode.Combine(Diagonal, Shear);
 
-        static float Largest(Vector3 v) => Mathf.Max(Mathf.Abs(v.x), Mathf.Max(Mathf.Abs(v.y), Mathf.Abs(v.z)));
+        private static float Largest(Vector3 v) => Mathf.Max(Mathf.Abs(v.x), Mathf.Max(Mathf.Abs(v.y), Mathf.Abs(v.z)));
     }
 }

@@ -8,34 +8,34 @@ namespace SphFluid
 {
     /// <summary>
     /// The scene's triangles for methods that prove every motion free: what rests and has the same friction is one body, each collider that
-    /// has moved is one of its own. Lists are made anew only when the set of bodies changes; motion changes poses. Only those of bodies that deform
-    /// are made anew in each frame in which they do.
+    /// has moved is one of its own. Lists are made anew only when the set of bodies changes; motion changes poses. Only those of bodies
+    /// that deform are made anew in each frame in which they do.
     /// </summary>
     internal sealed class CollisionBodies : IDisposable
     {
-        static readonly int BodiesId = Shader.PropertyToID("_Bodies");
-        static readonly int BodiesOutId = Shader.PropertyToID("_BodiesOut");
-        static readonly int PoseStartId = Shader.PropertyToID("_PoseStart");
-        static readonly int PoseEndId = Shader.PropertyToID("_PoseEnd");
+        private static readonly int BodiesId = Shader.PropertyToID("_Bodies");
+        private static readonly int BodiesOutId = Shader.PropertyToID("_BodiesOut");
+        private static readonly int PoseStartId = Shader.PropertyToID("_PoseStart");
+        private static readonly int PoseEndId = Shader.PropertyToID("_PoseEnd");
 
-        const string StretchKeyword = "FLUID_STRETCHED_BODIES";
+        private const string StretchKeyword = "FLUID_STRETCHED_BODIES";
 
         // Longer than any motion of a frame that a liquid could follow.
-        const float JumpOverReach = 64f;
+        private const float JumpOverReach = 64f;
 
         // BODY_MOST_PARTS of Shaders/Collision/Bodies.hlsl for stretched bodies.
-        const double MostParts = 256.0;
+        private const double MostParts = 256.0;
 
-        readonly float reach;
-        readonly float longestStep; // of a particle, m
-        readonly Bounds domain; // beyond it no particle is in a step
-        readonly BodyGeometry geometry;
-        readonly List<CollisionBody> bodies = new List<CollisionBody>();
-        readonly List<BodyMotion> motions = new List<BodyMotion>(); // of the bodies; null for those at rest
-        readonly MovingColliders moving = new MovingColliders();
-        int firstDeforming; // of bodies: from it on they deform
-        bool stale;
-        GraphicsBuffer bodyBuffer;
+        private readonly float reach;
+        private readonly float longestStep; // of a particle, m
+        private readonly Bounds domain; // beyond it no particle is in a step
+        private readonly BodyGeometry geometry;
+        private readonly List<CollisionBody> bodies = new List<CollisionBody>();
+        private readonly List<BodyMotion> motions = new List<BodyMotion>(); // of the bodies; null for those at rest
+        private readonly MovingColliders moving = new MovingColliders();
+        private int firstDeforming; // of bodies: from it on they deform
+        private bool stale;
+        private GraphicsBuffer bodyBuffer;
 
         /// <summary>No bodies yet.</summary>
         /// <param name="settings">The liquid's: cells look as far as its support radius, particles are in its domain.</param>
@@ -51,7 +51,9 @@ namespace SphFluid
         /// <summary>Number of bodies.</summary>
         public int Count => bodies.Count;
 
-        /// <summary>Grows whenever the set of bodies was made anew or one of them jumped: what was found of walls does not hold any more.</summary>
+        /// <summary>
+        /// Grows whenever the set of bodies was made anew or one of them jumped: what was found of walls does not hold any more.
+        /// </summary>
         public int Version { get; private set; }
 
         /// <summary>Whether a body has a friction of its own that is not zero.</summary>
@@ -69,17 +71,22 @@ namespace SphFluid
         /// <summary>Bytes of the GPU buffers.</summary>
         public long Bytes => GpuBuffers.Size(bodyBuffer) + geometry.Bytes + Floating.Bytes;
 
-        /// <summary>Bytes that colliders at rest take on the GPU, and how many bodies they are; instead of the first update, for a look ahead.</summary>
+        /// <summary>
+        /// Bytes that colliders at rest take on the GPU, and how many bodies they are; instead of the first update, for a look ahead.
+        /// </summary>
         public (long bytes, int bodies) Plan(IReadOnlyList<FluidObstacle> solids)
         {
             Collect(solids);
-            return bodies.Count == 0 ? (0L, 0) : (geometry.PlannedBytes + GpuBuffers.BytesOf(bodies.Count, CollisionBody.Stride), bodies.Count);
+            return bodies.Count == 0 ? (0L, 0)
+                : (geometry.PlannedBytes + GpuBuffers.BytesOf(bodies.Count, CollisionBody.Stride), bodies.Count);
         }
 
         /// <summary>Whether a body is still moving: the steps have not gone through all of its motion of the frame.</summary>
         public bool IsUnderWay { get; private set; }
 
-        /// <summary>Farthest that a point of a body goes in the motion of the frame where liquid can be, or of a corner of its box [m].</summary>
+        /// <summary>
+        /// Farthest that a point of a body goes in the motion of the frame where liquid can be, or of a corner of its box [m].
+        /// </summary>
         public float LongestMotion { get; private set; }
 
         /// <summary>Times a body's motion could not be followed, since the start; it was put at its new place at once.</summary>
@@ -120,7 +127,11 @@ namespace SphFluid
                 }
                 IsUnderWay |= !motions[i].IsAtRest;
                 if (!motions[i].IsAtRest)
-                    LongestMotion = Mathf.Max(LongestMotion, Mathf.Min(motions[i].LongestDisplacement(bodies[i].BoundsMin, bodies[i].BoundsMax), motions[i].LongestWithin(domain, reach)));
+                {
+                    LongestMotion = Mathf.Max(LongestMotion,
+                        Mathf.Min(motions[i].LongestDisplacement(bodies[i].BoundsMin, bodies[i].BoundsMax),
+                            motions[i].LongestWithin(domain, reach)));
+                }
                 HasStretch |= motions[i].IsStretched || motions[i].Deformation != null;
             }
             if (deformed) Deform(solids); // the steps of other bodies must not take it there
@@ -182,10 +193,14 @@ namespace SphFluid
             Floating.Dispose();
         }
 
-        /// <summary>Writes where the last steps left each collider, which of them are bodies of their own, and the corners of those that deform.</summary>
+        /// <summary>
+        /// Writes where the last steps left each collider, which of them are bodies of their own, and the corners of those that deform.
+        /// </summary>
         public void Save(SaveWriter writer) => moving.Save(writer);
 
-        /// <summary>Goes on from a save: colliders move from where they were then to where they are. Triangles rest where they were then.</summary>
+        /// <summary>
+        /// Goes on from a save: colliders move from where they were then to where they are. Triangles rest where they were then.
+        /// </summary>
         /// <param name="reader">The save.</param>
         /// <param name="scene">The colliders as they are now.</param>
         public void Load(SaveReader reader, CollisionScene scene)
@@ -195,7 +210,7 @@ namespace SphFluid
         }
 
         // Also where a particle's line in the frame of the triangles bends more than the parts follow that it is looked up in.
-        bool IsTooFar(BodyMotion motion, in CollisionBody body)
+        private bool IsTooFar(BodyMotion motion, in CollisionBody body)
         {
             float displacement = motion.LongestDisplacement(body.BoundsMin, body.BoundsMax);
             if (displacement > JumpOverReach * reach) return true;
@@ -203,7 +218,7 @@ namespace SphFluid
             return (displacement + longestStep) / motion.FrameRange().least * PartsPerMetre(motion) > MostParts - 1.0;
         }
 
-        void Rebuild(IReadOnlyList<FluidObstacle> solids)
+        private void Rebuild(IReadOnlyList<FluidObstacle> solids)
         {
             Collect(solids);
             stale = true;
@@ -211,7 +226,7 @@ namespace SphFluid
             if (bodies.Count > 0) geometry.Upload();
         }
 
-        void Collect(IReadOnlyList<FluidObstacle> solids)
+        private void Collect(IReadOnlyList<FluidObstacle> solids)
         {
             bodies.Clear();
             motions.Clear();
@@ -232,7 +247,7 @@ namespace SphFluid
         }
 
         // Triangles and lists of what deforms, where there is room for them in the buffers.
-        void Deform(IReadOnlyList<FluidObstacle> solids)
+        private void Deform(IReadOnlyList<FluidObstacle> solids)
         {
             bodies.RemoveRange(firstDeforming, bodies.Count - firstDeforming);
             motions.RemoveRange(firstDeforming, motions.Count - firstDeforming);
@@ -242,7 +257,7 @@ namespace SphFluid
             if (!geometry.TryUploadDeforming()) Rebuild(solids);
         }
 
-        void AddDeforming(IReadOnlyList<FluidObstacle> solids)
+        private void AddDeforming(IReadOnlyList<FluidObstacle> solids)
         {
             foreach (BodyMotion motion in moving.GetMotions(solids, true))
             {
@@ -252,7 +267,7 @@ namespace SphFluid
             }
         }
 
-        void AddBody(BodyMotion motion, float friction)
+        private void AddBody(BodyMotion motion, float friction)
         {
             float least = (float)(motion?.CellStretch ?? 1.0);
             if (!geometry.TryEndBody(motion == null ? domain : (Bounds?)null, least, out CollisionBody body)) return;
@@ -262,7 +277,7 @@ namespace SphFluid
             motions.Add(motion);
         }
 
-        void UploadBodies()
+        private void UploadBodies()
         {
             stale = false;
             for (int i = 0; i < bodies.Count; i++)
@@ -293,10 +308,10 @@ namespace SphFluid
         }
 
         // A cell looks a distance beyond itself, and a part of a displacement is looked up from its middle.
-        float PartsPerMetre(BodyMotion motion) => (float)motion.SpanRatio / (1.7f * (reach / (float)motion.CellStretch));
+        private float PartsPerMetre(BodyMotion motion) => (float)motion.SpanRatio / (1.7f * (reach / (float)motion.CellStretch));
 
         // A step may leave a periodic face before it is brought in at the other.
-        static Vector3 BeyondFaces(in FluidSolverSettings settings)
+        private static Vector3 BeyondFaces(in FluidSolverSettings settings)
         {
             Vector3 period = settings.PeriodLength;
             float displacement = ContactDistances.LongestDisplacement(settings);

@@ -3,7 +3,10 @@ using UnityEngine;
 
 namespace SphFluid
 {
-    /// <summary>A part of the scene in a frame of its own, in which its triangles rest, stretch or deform; mirrored by CollisionBody in Shaders/Collision/Bodies.hlsl. SI.</summary>
+    /// <summary>
+    /// A part of the scene in a frame of its own, in which its triangles rest, stretch or deform; mirrored by CollisionBody in
+    /// Shaders/Collision/Bodies.hlsl. SI.
+    /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     internal struct CollisionBody
     {
@@ -47,7 +50,7 @@ namespace SphFluid
         public const int Stride = 48;
 
         // A plane that float resolves: the area is no less than this part of the longest edge's square.
-        const double NeedleArea = 1e-3;
+        private const double NeedleArea = 1e-3;
 
         public Vector3 A;
         public float NormalX;
@@ -75,7 +78,11 @@ namespace SphFluid
             double area = System.Math.Sqrt(nx * nx + ny * ny + nz * nz);
             double longest = System.Math.Max((b - a).sqrMagnitude, System.Math.Max((c - a).sqrMagnitude, (c - b).sqrMagnitude));
             double scale = area > NeedleArea * longest ? 1.0 / area : 0.0;
-            return new BodyTriangle { A = a, B = b, C = c, NormalX = (float)(nx * scale), NormalY = (float)(ny * scale), NormalZ = (float)(nz * scale) };
+            return new BodyTriangle
+            {
+                A = a, B = b, C = c, NormalX = (float)(nx * scale), NormalY = (float)(ny * scale),
+                NormalZ = (float)(nz * scale)
+            };
         }
     }
 }

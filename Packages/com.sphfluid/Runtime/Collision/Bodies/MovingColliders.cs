@@ -5,15 +5,15 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>
-    /// Which of the scene's colliders move, and from where: one that rested and is elsewhere now moves for good, one that the liquid moves from the start.
-    /// A collider whose motion cannot be followed jumps to its new place.
+    /// Which of the scene's colliders move, and from where: one that rested and is elsewhere now moves for good, one that the liquid moves
+    /// from the start. A collider whose motion cannot be followed jumps to its new place.
     /// </summary>
     internal sealed class MovingColliders
     {
-        readonly Dictionary<object, BodyMotion> movers = new Dictionary<object, BodyMotion>();
-        readonly HashSet<ColliderState> resting = new HashSet<ColliderState>();
-        readonly List<FluidObstacle> lastSolids = new List<FluidObstacle>();
-        readonly List<BodyJump> newJumps = new List<BodyJump>();
+        private readonly Dictionary<object, BodyMotion> movers = new Dictionary<object, BodyMotion>();
+        private readonly HashSet<ColliderState> resting = new HashSet<ColliderState>();
+        private readonly List<FluidObstacle> lastSolids = new List<FluidObstacle>();
+        private readonly List<BodyJump> newJumps = new List<BodyJump>();
 
         /// <summary>The colliders as of the last look.</summary>
         public IReadOnlyList<FluidObstacle> LastSolids => lastSolids;
@@ -90,7 +90,9 @@ namespace SphFluid
             newJumps.Add(new BodyJump(source, reason));
         }
 
-        /// <summary>Writes where the last steps left each collider, which of them are bodies of their own, and the corners of those that deform.</summary>
+        /// <summary>
+        /// Writes where the last steps left each collider, which of them are bodies of their own, and the corners of those that deform.
+        /// </summary>
         public void Save(SaveWriter writer)
         {
             List<FluidObstacle> there = lastSolids.FindAll(s => s.Source != null);
@@ -105,7 +107,9 @@ namespace SphFluid
             }
         }
 
-        /// <summary>Goes on from a save: colliders move from where they were then to where they are. Triangles rest where they were then.</summary>
+        /// <summary>
+        /// Goes on from a save: colliders move from where they were then to where they are. Triangles rest where they were then.
+        /// </summary>
         /// <param name="reader">The save.</param>
         /// <param name="scene">The colliders as they are now.</param>
         public void Load(SaveReader reader, CollisionScene scene)
@@ -128,7 +132,7 @@ namespace SphFluid
             }
         }
 
-        bool Track(FluidObstacle solid)
+        private bool Track(FluidObstacle solid)
         {
             object key = solid.State.Key;
             if (movers.TryGetValue(key, out BodyMotion motion))
@@ -149,7 +153,7 @@ namespace SphFluid
             return true;
         }
 
-        bool Move(BodyMotion motion, FluidObstacle solid)
+        private bool Move(BodyMotion motion, FluidObstacle solid)
         {
             BodyFollowing following = motion.MoveTo(solid);
             if (following == BodyFollowing.Followed) return false;
@@ -161,7 +165,7 @@ namespace SphFluid
             return true;
         }
 
-        bool IsSame(IReadOnlyList<FluidObstacle> solids)
+        private bool IsSame(IReadOnlyList<FluidObstacle> solids)
         {
             if (solids.Count != lastSolids.Count) return false;
             for (int i = 0; i < solids.Count; i++)

@@ -3,13 +3,15 @@ using UnityEngine;
 
 namespace SphFluid
 {
-    /// <summary>A linear map A as a rotation after a stretch: A = R S with S symmetric and positive definite. Unique where det A &gt; 0.</summary>
+    /// <summary>
+    /// A linear map A as a rotation after a stretch: A = R S with S symmetric and positive definite. Unique where det A &gt; 0.
+    /// </summary>
     internal readonly struct PolarDecomposition
     {
         // Newton's steps double the digits; scaled, they need less than ten for any map that double can invert.
-        const int MostSteps = 24;
+        private const int MostSteps = 24;
 
-        PolarDecomposition(in AffineMap rotation, in AffineMap stretch)
+        private PolarDecomposition(in AffineMap rotation, in AffineMap stretch)
         {
             Rotation = rotation;
             Stretch = stretch;
@@ -65,7 +67,8 @@ namespace SphFluid
         }
 
         // Frobenius's.
-        static double Norm(in AffineMap m) => Math.Sqrt(
-            m.M00 * m.M00 + m.M01 * m.M01 + m.M02 * m.M02 + m.M10 * m.M10 + m.M11 * m.M11 + m.M12 * m.M12 + m.M20 * m.M20 + m.M21 * m.M21 + m.M22 * m.M22);
+        private static double Norm(in AffineMap m) => Math.Sqrt(
+            m.M00 * m.M00 + m.M01 * m.M01 + m.M02 * m.M02 + m.M10 * m.M10 + m.M11 * m.M11 + m.M12 * m.M12 + m.M20 * m.M20 + m.M21 * m.M21 +
+                m.M22 * m.M22);
     }
 }

@@ -11,32 +11,33 @@ namespace SphFluid
         /// <summary>Most bodies at once: BODY_NUMBER_BITS in Shaders/Collision/FloatingBodies.hlsl.</summary>
         public const int Most = 1023;
 
-        const int Words = 12; // IMPULSE_WORDS
+        private const int Words = 12; // IMPULSE_WORDS
 
-        static readonly int InputsId = Shader.PropertyToID("_FloatingInputs");
-        static readonly int PartsId = Shader.PropertyToID("_FloatingParts");
-        static readonly int StatesId = Shader.PropertyToID("_FloatingStates");
-        static readonly int StatesOutId = Shader.PropertyToID("_FloatingStatesOut");
-        static readonly int SumsId = Shader.PropertyToID("_ImpulseSums");
-        static readonly int CountId = Shader.PropertyToID("_FloatingCount");
-        static readonly int ImpulseUnitId = Shader.PropertyToID("_ImpulseUnit");
-        static readonly int AngularUnitId = Shader.PropertyToID("_AngularUnit");
-        static readonly int ImpulseUnitsId = Shader.PropertyToID("_ImpulseUnits");
-        static readonly int AngularUnitsId = Shader.PropertyToID("_AngularUnits");
-        static readonly int ParticleMassId = Shader.PropertyToID("_ParticleMass");
+        private static readonly int InputsId = Shader.PropertyToID("_FloatingInputs");
+        private static readonly int PartsId = Shader.PropertyToID("_FloatingParts");
+        private static readonly int StatesId = Shader.PropertyToID("_FloatingStates");
+        private static readonly int StatesOutId = Shader.PropertyToID("_FloatingStatesOut");
+        private static readonly int SumsId = Shader.PropertyToID("_ImpulseSums");
+        private static readonly int CountId = Shader.PropertyToID("_FloatingCount");
+        private static readonly int ImpulseUnitId = Shader.PropertyToID("_ImpulseUnit");
+        private static readonly int AngularUnitId = Shader.PropertyToID("_AngularUnit");
+        private static readonly int ImpulseUnitsId = Shader.PropertyToID("_ImpulseUnits");
+        private static readonly int AngularUnitsId = Shader.PropertyToID("_AngularUnits");
+        private static readonly int ParticleMassId = Shader.PropertyToID("_ParticleMass");
 
-        readonly float impulseUnit, angularUnit, particleMass, tolerance;
-        readonly FloatingSize least;
-        readonly List<FloatingBody> slots = new List<FloatingBody>();
-        readonly List<BodyMotion> attached = new List<BodyMotion>();
-        readonly Dictionary<BodyMotion, (FloatingPart part, Bounds box)> rests = new Dictionary<BodyMotion, (FloatingPart, Bounds)>();
-        readonly Dictionary<int, int> joined = new Dictionary<int, int>(); // by stack: number of its first body
-        readonly List<FluidMessage> messages = new List<FluidMessage>();
-        readonly HashSet<FloatingBody> present = new HashSet<FloatingBody>();
-        FloatingInput[] inputs = Array.Empty<FloatingInput>();
-        FloatingPart[] parts = Array.Empty<FloatingPart>();
-        GraphicsBuffer inputBuffer, partBuffer, stateBuffer, sumBuffer;
-        uint epoch;
+        private readonly float impulseUnit, angularUnit, particleMass, tolerance;
+        private readonly FloatingSize least;
+        private readonly List<FloatingBody> slots = new List<FloatingBody>();
+        private readonly List<BodyMotion> attached = new List<BodyMotion>();
+        private readonly Dictionary<BodyMotion, (FloatingPart part, Bounds box)> rests =
+            new Dictionary<BodyMotion, (FloatingPart, Bounds)>();
+        private readonly Dictionary<int, int> joined = new Dictionary<int, int>(); // by stack: number of its first body
+        private readonly List<FluidMessage> messages = new List<FluidMessage>();
+        private readonly HashSet<FloatingBody> present = new HashSet<FloatingBody>();
+        private FloatingInput[] inputs = Array.Empty<FloatingInput>();
+        private FloatingPart[] parts = Array.Empty<FloatingPart>();
+        private GraphicsBuffer inputBuffer, partBuffer, stateBuffer, sumBuffer;
+        private uint epoch;
 
         /// <summary>None yet; nothing of any size is held.</summary>
         /// <param name="settings">The liquid's.</param>
@@ -188,7 +189,7 @@ namespace SphFluid
         }
 
         // Whether there are any, or were.
-        bool Find(IReadOnlyList<BodyMotion> motions)
+        private bool Find(IReadOnlyList<BodyMotion> motions)
         {
             bool had = slots.Count > 0;
             present.Clear();
@@ -212,7 +213,7 @@ namespace SphFluid
         }
 
         // What a collider's own frame is in that of its body does not change, but for rounding, which must not move it.
-        void Place(IReadOnlyList<BodyMotion> motions)
+        private void Place(IReadOnlyList<BodyMotion> motions)
         {
             attached.Clear();
             if (parts.Length < motions.Count) parts = new FloatingPart[motions.Count];
@@ -242,8 +243,11 @@ namespace SphFluid
                 }
 
                 inputs[s].PartCount = first - inputs[s].FirstPart;
-                if (least.Bound(ref inputs[s], (box ?? default).size, slots[s].Stack == 0 ? slots[s].Mass.Mass : slots[s].StackMass) && slots[s].TryName())
+                if (least.Bound(ref inputs[s], (box ?? default).size, slots[s].Stack == 0 ? slots[s].Mass.Mass : slots[s].StackMass) &&
+                    slots[s].TryName())
+                {
                     messages.Add(least.Message(source, (box ?? default).size, slots[s].Mass.Mass));
+                }
             }
 
             if (rests.Count > attached.Count) Forget();
@@ -251,7 +255,7 @@ namespace SphFluid
         }
 
         // From the last to the first, each with the number of the next.
-        void Join()
+        private void Join()
         {
             joined.Clear();
             for (int s = slots.Count - 1; s >= 0; s--)
@@ -266,7 +270,7 @@ namespace SphFluid
             foreach (int first in joined.Values) inputs[first - 1].Flags |= FloatingInput.Leads;
         }
 
-        (FloatingPart part, Bounds box) Rest(BodyMotion motion, in FloatingPose pose)
+        private (FloatingPart part, Bounds box) Rest(BodyMotion motion, in FloatingPose pose)
         {
             var now = new FloatingPart { Rotation = pose.ToBody(motion.Rotation1), Position = pose.ToBody(motion.Position1) };
             if (rests.TryGetValue(motion, out (FloatingPart part, Bounds box) before) && IsNear(before.part, now)) return before;
@@ -274,20 +278,20 @@ namespace SphFluid
         }
 
         // In the frame of the body.
-        static Bounds BoxOf(TriangleMesh mesh, in FloatingPart part)
+        private static Bounds BoxOf(TriangleMesh mesh, in FloatingPart part)
         {
             var box = new Bounds(part.Rotation * mesh.Vertices[mesh.Indices[0]] + part.Position, Vector3.zero);
             foreach (int index in mesh.Indices) box.Encapsulate(part.Rotation * mesh.Vertices[index] + part.Position);
             return box;
         }
 
-        bool IsNear(in FloatingPart a, in FloatingPart b)
+        private bool IsNear(in FloatingPart a, in FloatingPart b)
         {
             float turn = FloatingPose.Turn(Quaternion.Inverse(a.Rotation) * b.Rotation).magnitude;
             return (a.Position - b.Position).magnitude + turn * Mathf.Max(1f, a.Position.magnitude) < tolerance;
         }
 
-        void Forget()
+        private void Forget()
         {
             var gone = new List<BodyMotion>();
             foreach (BodyMotion motion in rests.Keys)
@@ -295,7 +299,7 @@ namespace SphFluid
             foreach (BodyMotion motion in gone) rests.Remove(motion);
         }
 
-        void Upload()
+        private void Upload()
         {
             GpuBuffers.Reserve(ref inputBuffer, "Floating Inputs", slots.Count, FloatingInput.Stride);
             GpuBuffers.Reserve(ref partBuffer, "Floating Parts", attached.Count, FloatingPart.Stride);
@@ -304,7 +308,7 @@ namespace SphFluid
             RequireStates();
         }
 
-        void RequireStates()
+        private void RequireStates()
         {
             if (stateBuffer != null) return;
             stateBuffer = GpuBuffers.Create("Floating States", Most, FloatingState.Stride);
@@ -313,6 +317,6 @@ namespace SphFluid
         }
 
         // The next one at or above a number: 0.3 gives 0.5.
-        static float PowerOfTwo(double value) => (float)Math.Pow(2.0, Math.Ceiling(Math.Log(value, 2.0)));
+        private static float PowerOfTwo(double value) => (float)Math.Pow(2.0, Math.Ceiling(Math.Log(value, 2.0)));
     }
 }

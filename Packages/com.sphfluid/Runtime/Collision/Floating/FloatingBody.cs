@@ -8,8 +8,8 @@ namespace SphFluid
     /// </summary>
     internal sealed class FloatingBody
     {
-        Vector3 pushVelocity, pushAngularVelocity, pushDisplacement, pushRotation;
-        bool seeds = true, isNamed;
+        private Vector3 pushVelocity, pushAngularVelocity, pushDisplacement, pushRotation;
+        private bool seeds = true, isNamed;
 
         /// <summary>A body at rest at a place.</summary>
         public FloatingBody(in FloatingMass mass, in FloatingPose pose)
@@ -135,6 +135,6 @@ namespace SphFluid
             KnownFrame = frame;
         }
 
-        void ForgetPushes() => pushVelocity = pushAngularVelocity = pushDisplacement = pushRotation = Vector3.zero;
+        private void ForgetPushes() => pushVelocity = pushAngularVelocity = pushDisplacement = pushRotation = Vector3.zero;
     }
 }

@@ -5,7 +5,7 @@ namespace SphFluid
     /// <summary>How a rigid body answers to impulses, SI.</summary>
     internal struct FloatingMass
     {
-        const float Rounding = 3e-6f;
+        private const float Rounding = 3e-6f;
 
         /// <summary>Mass [kg]; infinite: it does not move.</summary>
         public float Mass;
@@ -42,7 +42,8 @@ namespace SphFluid
         {
             float mass = density * size.x * size.y * size.z;
             Vector3 squares = Vector3.Scale(size, size);
-            return new FloatingMass(mass, mass / 12f * new Vector3(squares.y + squares.z, squares.z + squares.x, squares.x + squares.y), gravity);
+            return new FloatingMass(mass, mass / 12f * new Vector3(squares.y + squares.z, squares.z + squares.x, squares.x + squares.y),
+                gravity);
         }
 
         /// <summary>One that nothing moves.</summary>
@@ -57,15 +58,19 @@ namespace SphFluid
         /// <summary>1/(kg m²).</summary>
         public Vector3 InverseInertia => new Vector3(Inverse(Inertia.x), Inverse(Inertia.y), Inverse(Inertia.z));
 
-        /// <summary>Whether another is the same but for the rounding with which moments of inertia are found again as a body turns.</summary>
-        public bool IsNear(in FloatingMass other) => IsNear(Mass, other.Mass) && IsNear(Damping, other.Damping) && IsNear(AngularDamping, other.AngularDamping) &&
-            IsNear(Inertia, other.Inertia) && IsNear(Gravity, other.Gravity) && IsNear(FreeX, other.FreeX) && IsNear(FreeY, other.FreeY) && IsNear(FreeZ, other.FreeZ);
+        /// <summary>
+        /// Whether another is the same but for the rounding with which moments of inertia are found again as a body turns.
+        /// </summary>
+        public bool IsNear(in FloatingMass other) => IsNear(Mass, other.Mass) && IsNear(Damping, other.Damping) &&
+            IsNear(AngularDamping, other.AngularDamping) &&
+            IsNear(Inertia, other.Inertia) && IsNear(Gravity, other.Gravity) && IsNear(FreeX, other.FreeX) && IsNear(FreeY, other.FreeY) &&
+            IsNear(FreeZ, other.FreeZ);
 
-        static bool IsNear(Vector3 a, Vector3 b) => a.Equals(b) || (a - b).magnitude <= Rounding * b.magnitude;
+        private static bool IsNear(Vector3 a, Vector3 b) => a.Equals(b) || (a - b).magnitude <= Rounding * b.magnitude;
 
-        static bool IsNear(float a, float b) => a.Equals(b) || Mathf.Abs(a - b) <= Rounding * Mathf.Abs(b);
+        private static bool IsNear(float a, float b) => a.Equals(b) || Mathf.Abs(a - b) <= Rounding * Mathf.Abs(b);
 
         // Unity gives 0 for what is frozen.
-        static float Inverse(float value) => value > 0f && !float.IsInfinity(value) ? 1f / value : 0f;
+        private static float Inverse(float value) => value > 0f && !float.IsInfinity(value) ? 1f / value : 0f;
     }
 }

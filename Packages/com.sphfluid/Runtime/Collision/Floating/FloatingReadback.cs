@@ -5,13 +5,13 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>
-    /// The bodies' states on the CPU, always of the same number of frames ago: however fast read-backs arrive, equal runs stay equal. By then
-    /// the GPU has done that frame; where it has not, this waits for it.
+    /// The bodies' states on the CPU, always of the same number of frames ago: however fast read-backs arrive, equal runs stay equal. By
+    /// then the GPU has done that frame; where it has not, this waits for it.
     /// </summary>
     internal sealed class FloatingReadback
     {
-        readonly Queue<Slot> slots = new Queue<Slot>();
-        readonly Stack<Slot> free = new Stack<Slot>();
+        private readonly Queue<Slot> slots = new Queue<Slot>();
+        private readonly Stack<Slot> free = new Stack<Slot>();
 
         /// <summary>Age at which a frame's states are taken, in frames with steps; 1 or more.</summary>
         public int Age { get; set; } = 2;
@@ -24,7 +24,9 @@ namespace SphFluid
             slots.Enqueue(slot);
         }
 
-        /// <summary>Hands on what is old enough; for a body that has just come, all: until then its owner knows nothing of the liquid.</summary>
+        /// <summary>
+        /// Hands on what is old enough; for a body that has just come, all: until then its owner knows nothing of the liquid.
+        /// </summary>
         /// <param name="bodies">By number less one; null where a number is free.</param>
         /// <param name="frame">The frame that follows.</param>
         public void Deliver(IReadOnlyList<FloatingBody> bodies, long frame)
@@ -53,13 +55,13 @@ namespace SphFluid
             for (int left = reader.Read<int>(); left > 0; left--) slots.Enqueue(Slot.Load(reader));
         }
 
-        sealed class Slot
+        private sealed class Slot
         {
-            readonly System.Action<AsyncGPUReadbackRequest> received;
-            FloatingState[] states = new FloatingState[4];
-            AsyncGPUReadbackRequest request;
-            int count;
-            bool known, hasError;
+            private readonly System.Action<AsyncGPUReadbackRequest> received;
+            private FloatingState[] states = new FloatingState[4];
+            private AsyncGPUReadbackRequest request;
+            private int count;
+            private bool known, hasError;
 
             public Slot()
             {
@@ -104,14 +106,14 @@ namespace SphFluid
                 for (int i = 0; i < count && i < bodies.Count && !hasError; i++) bodies[i]?.Receive(states[i], Frame);
             }
 
-            void Wait()
+            private void Wait()
             {
                 if (known) return;
                 request.WaitForCompletion();
                 Receive(request);
             }
 
-            void Receive(AsyncGPUReadbackRequest done)
+            private void Receive(AsyncGPUReadbackRequest done)
             {
                 if (known) return;
                 known = true;

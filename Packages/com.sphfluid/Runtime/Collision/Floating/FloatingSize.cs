@@ -4,22 +4,22 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>
-    /// The least body that the liquid moves as it should: three spacings across, and not lighter than a fiftieth of the liquid that would fill
-    /// its box and a spacing about it. A particle takes a body for a wall that does not give way, so what is lighter than the particles about it
-    /// would be thrown from one to the next.
+    /// The least body that the liquid moves as it should: three spacings across, and not lighter than a fiftieth of the liquid that would
+    /// fill its box and a spacing about it. A particle takes a body for a wall that does not give way, so what is lighter than the
+    /// particles about it would be thrown from one to the next.
     /// </summary>
     internal readonly struct FloatingSize
     {
         // Particles in the box of the least body, less rounding: three cubed.
-        const float LeastParticles = 26.9f;
+        private const float LeastParticles = 26.9f;
 
         // Of the liquid in the box and a spacing about it.
-        const float LeastShare = 0.02f;
+        private const float LeastShare = 0.02f;
 
         // Of gravity: what pulls a smaller body. Archimedes and the water that it carries along make it 2 for a bubble.
-        const float MostPull = 3f;
+        private const float MostPull = 3f;
 
-        readonly float spacing, density, pull, speed;
+        private readonly float spacing, density, pull, speed;
 
         public FloatingSize(in FluidSolverSettings settings)
         {
@@ -48,13 +48,17 @@ namespace SphFluid
         {
             float fits = spacing;
             for (int i = 0; i < 50 && IsSmall(size, mass, fits); i++) fits *= 0.9f;
-            string finer = IsSmall(size, mass, fits) ? "Make the body larger and heavier" : FormattableString.Invariant($"Use a Particle Spacing of {0.95f * fits:g2} m or less, make the body larger or heavier");
-            return new FluidMessage(FluidSeverity.Warning, FluidIssue.BodyTooSmall, source is Collider collider ? collider.attachedRigidbody : source,
-                FormattableString.Invariant($"The body measures {size.x:g2} x {size.y:g2} x {size.z:g2} m and weighs {mass:g2} kg, too little for a Particle Spacing of {spacing:g2} m: the liquid carries it along, but it does not float as it should."),
+            string finer = IsSmall(size, mass, fits) ? "Make the body larger and heavier"
+                : FormattableString.Invariant($"Use a Particle Spacing of {0.95f * fits:g2} m or less, make the body larger or heavier");
+            return new FluidMessage(FluidSeverity.Warning, FluidIssue.BodyTooSmall,
+                source is Collider collider ? collider.attachedRigidbody : source,
+                FormattableString.Invariant($"The body measures {size.x:g2} x {size.y:g2} x {size.z:g2} m and weighs {mass:g2} kg, too ") +
+                FormattableString.Invariant($"little for a Particle Spacing of {spacing:g2} m: the liquid carries it along, but it does ") +
+                "not float as it should.",
                 $"{finer}, or turn Moved By Liquid off in a Fluid Collider.");
         }
 
-        bool IsSmall(Vector3 size, float mass, float dx)
+        private bool IsSmall(Vector3 size, float mass, float dx)
         {
             Vector3 around = size + 2f * dx * Vector3.one;
             return size.x * size.y * size.z < LeastParticles * dx * dx * dx || mass < LeastShare * density * around.x * around.y * around.z;

@@ -3,7 +3,9 @@ using UnityEngine;
 
 namespace SphFluid
 {
-    /// <summary>A rigid body on the GPU; mirrored by FloatingState in Shaders/Collision/FloatingBodies.hlsl. Simulation space, SI.</summary>
+    /// <summary>
+    /// A rigid body on the GPU; mirrored by FloatingState in Shaders/Collision/FloatingBodies.hlsl. Simulation space, SI.
+    /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     internal struct FloatingState
     {
@@ -33,7 +35,9 @@ namespace SphFluid
         /// <summary>Bit of <see cref="Flags"/>: the state begins anew at this pose and these velocities.</summary>
         public const uint Seeds = 1u;
 
-        /// <summary>Bits of <see cref="Flags"/>: it moves as one with others that it rests on or that rest on it; it is the first of them.</summary>
+        /// <summary>
+        /// Bits of <see cref="Flags"/>: it moves as one with others that it rests on or that rest on it; it is the first of them.
+        /// </summary>
         public const uint Joined = 2u, Leads = 4u;
 
         public Quaternion Rotation;

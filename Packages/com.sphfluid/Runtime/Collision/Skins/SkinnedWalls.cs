@@ -4,16 +4,18 @@ using UnityEngine;
 
 namespace SphFluid
 {
-    /// <summary>Skinned meshes as walls: each is baked as it is drawn when colliders are looked for, and keeps its triangles while no corner moved.</summary>
+    /// <summary>
+    /// Skinned meshes as walls: each is baked as it is drawn when colliders are looked for, and keeps its triangles while no corner moved.
+    /// </summary>
     internal sealed class SkinnedWalls : IDisposable
     {
         /// <summary>Most vertices of a skin: all of them are skinned on the CPU and their triangles listed anew every frame.</summary>
         public const int MostVertices = 20000;
 
-        static readonly TriangleMesh None = new TriangleMesh(Array.Empty<Vector3>(), Array.Empty<int>());
+        private static readonly TriangleMesh None = new TriangleMesh(Array.Empty<Vector3>(), Array.Empty<int>());
 
-        readonly Dictionary<SkinnedMeshRenderer, Skin> skins = new Dictionary<SkinnedMeshRenderer, Skin>();
-        readonly List<SkinnedMeshRenderer> found = new List<SkinnedMeshRenderer>();
+        private readonly Dictionary<SkinnedMeshRenderer, Skin> skins = new Dictionary<SkinnedMeshRenderer, Skin>();
+        private readonly List<SkinnedMeshRenderer> found = new List<SkinnedMeshRenderer>();
 
         /// <summary>Adds the skins near a domain.</summary>
         /// <param name="query">The domain, and the objects that have skins.</param>
@@ -33,7 +35,9 @@ namespace SphFluid
                     bool counts = renderer.enabled && renderer.sharedMesh != null && renderer.bounds.Intersects(domain);
                     if (!counts || !spec.Has(renderer, query.Layers)) continue;
                     TriangleMesh mesh = Problem(renderer) == null ? SkinOf(renderer).Bake(renderer) : None;
-                    states.Add(new ColliderState(renderer, mesh, spec.Settings.EffectiveFriction, worldToSimulation * renderer.transform.localToWorldMatrix));
+                    states
+                        .Add(new ColliderState(renderer, mesh, spec.Settings.EffectiveFriction,
+                            worldToSimulation * renderer.transform.localToWorldMatrix));
                 }
             }
             GoneKeys.Forget(skins, skin => skin.Dispose());
@@ -44,13 +48,18 @@ namespace SphFluid
         {
             Mesh mesh = renderer.sharedMesh;
             if (!mesh.isReadable)
+            {
                 return new FluidMessage(FluidSeverity.Warning, FluidIssue.MeshNotReadable, renderer,
                     $"The mesh '{mesh.name}' of the Skinned Mesh Renderer is not readable, so the fluid cannot collide with it.",
                     "Tick Read/Write in the mesh's import settings.");
+            }
             if (mesh.vertexCount > MostVertices)
+            {
                 return new FluidMessage(FluidSeverity.Warning, FluidIssue.TooManyTriangles, renderer,
-                    $"The mesh '{mesh.name}' of the Skinned Mesh Renderer has {mesh.vertexCount} vertices, more than the {MostVertices} that are skinned for the fluid every frame, so the fluid passes through it.",
+                    $"The mesh '{mesh.name}' of the Skinned Mesh Renderer has {mesh.vertexCount} vertices, more than the {MostVertices} " +
+                    "that are skinned for the fluid every frame, so the fluid passes through it.",
                     "Collide with a simpler skin on the same bones whose renderer draws nothing, or with Capsule Colliders on the bones.");
+            }
             return null;
         }
 
@@ -66,19 +75,19 @@ namespace SphFluid
             skins.Clear();
         }
 
-        Skin SkinOf(SkinnedMeshRenderer renderer)
+        private Skin SkinOf(SkinnedMeshRenderer renderer)
         {
             if (!skins.TryGetValue(renderer, out Skin skin)) skins.Add(renderer, skin = new Skin());
             return skin;
         }
 
-        sealed class Skin : IDisposable
+        private sealed class Skin : IDisposable
         {
-            readonly Mesh baked = new Mesh { name = "SPH Fluid Skin", hideFlags = HideFlags.HideAndDontSave };
-            readonly List<Vector3> vertices = new List<Vector3>();
-            TriangleMesh mesh;
-            Mesh source;
-            MeshStamp stamp;
+            private readonly Mesh baked = new Mesh { name = "SPH Fluid Skin", hideFlags = HideFlags.HideAndDontSave };
+            private readonly List<Vector3> vertices = new List<Vector3>();
+            private TriangleMesh mesh;
+            private Mesh source;
+            private MeshStamp stamp;
 
             /// <summary>Whether the triangles may be others, of as many corners.</summary>
             public bool IsStale { get; set; }
@@ -98,7 +107,7 @@ namespace SphFluid
                 return IsSame() ? mesh : mesh = mesh.Deformed(vertices.ToArray());
             }
 
-            bool IsSame()
+            private bool IsSame()
             {
                 Vector3[] before = mesh.Vertices;
                 for (int i = 0; i < before.Length; i++)

@@ -39,7 +39,7 @@ namespace SphFluid
         }
 
         // Walls from the rim down, and a fan between their feet.
-        static void Close(Vector3[] vertices, int[] indices, int next, int rows, int columns, float floor)
+        private static void Close(Vector3[] vertices, int[] indices, int next, int rows, int columns, float floor)
         {
             int rim = 2 * (rows + columns - 2), foot = rows * columns, middle = vertices.Length - 1;
             vertices[middle] = 0.5f * (vertices[0] + vertices[foot - 1]);
@@ -55,7 +55,7 @@ namespace SphFluid
         }
 
         // Corners round the rim in the direction in which the surface's triangles run along it.
-        static int Rim(int i, int rows, int columns)
+        private static int Rim(int i, int rows, int columns)
         {
             int up = rows - 1, along = columns - 1;
             if (i < up) return i * columns;
@@ -64,14 +64,14 @@ namespace SphFluid
             return 2 * (up + along) - i;
         }
 
-        static int Holes(bool[,] surface)
+        private static int Holes(bool[,] surface)
         {
             int holes = 0;
             foreach (bool solid in surface) holes += solid ? 0 : 1;
             return holes;
         }
 
-        static void Add(int[] indices, ref int next, int a, int b, int c)
+        private static void Add(int[] indices, ref int next, int a, int b, int c)
         {
             indices[next++] = a;
             indices[next++] = b;

@@ -15,9 +15,9 @@ namespace SphFluid
 
 #if SPHFLUID_TERRAIN
         // All terrains' edits: what was read is compared with what is read then.
-        [OutlivesPlay("it is only compared")] static int edits;
+        [OutlivesPlay("it is only compared")] private static int edits;
 
-        readonly Dictionary<Collider, Patch> patches = new Dictionary<Collider, Patch>();
+        private readonly Dictionary<Collider, Patch> patches = new Dictionary<Collider, Patch>();
 
         static TerrainPatches()
         {
@@ -73,7 +73,7 @@ namespace SphFluid
 
 #if SPHFLUID_TERRAIN
         // Null where there is no data, or too much.
-        TriangleMesh Find(TerrainCollider collider, in Matrix4x4 worldToSimulation, Vector3 domain, float spacing)
+        private TriangleMesh Find(TerrainCollider collider, in Matrix4x4 worldToSimulation, Vector3 domain, float spacing)
         {
             if (!HasData(collider)) return null;
             TerrainData data = collider.terrainData;
@@ -97,7 +97,7 @@ namespace SphFluid
             return patch.Mesh;
         }
 
-        Patch Add(Collider collider)
+        private Patch Add(Collider collider)
         {
             GoneKeys.Forget(patches);
             var patch = new Patch();
@@ -106,22 +106,22 @@ namespace SphFluid
         }
 
         // At least one cell, the nearest.
-        static RectInt Cells(Vector3 centre, Vector3 extents, Vector3 cell, int count)
+        private static RectInt Cells(Vector3 centre, Vector3 extents, Vector3 cell, int count)
         {
             int x0 = Cell((centre.x - extents.x) / cell.x, count), x1 = Cell((centre.x + extents.x) / cell.x, count);
             int z0 = Cell((centre.z - extents.z) / cell.z, count), z1 = Cell((centre.z + extents.z) / cell.z, count);
             return new RectInt(x0, z0, x1 - x0 + 1, z1 - z0 + 1);
         }
 
-        static int Cell(float place, int count) => (int)Mathf.Clamp(Mathf.Floor(place), 0f, count - 1);
+        private static int Cell(float place, int count) => (int)Mathf.Clamp(Mathf.Floor(place), 0f, count - 1);
 
-        sealed class Patch
+        private sealed class Patch
         {
-            TerrainData data;
-            Vector3 cell;
-            int resolution;
-            float[,] heights;
-            bool[,] surface;
+            private TerrainData data;
+            private Vector3 cell;
+            private int resolution;
+            private float[,] heights;
+            private bool[,] surface;
 
             public int Edits { get; set; }
             public float Floor { get; private set; }
@@ -129,14 +129,16 @@ namespace SphFluid
             public TriangleMesh Mesh { get; private set; }
 
             public bool Holds(TerrainData terrain, Vector3 cellSize, RectInt near, float lowest) =>
-                Mesh != null && ReferenceEquals(terrain, data) && cellSize == cell && resolution == terrain.heightmapResolution && Floor <= lowest &&
+                Mesh != null && ReferenceEquals(terrain, data) && cellSize == cell && resolution == terrain.heightmapResolution &&
+                    Floor <= lowest &&
                 near.xMin >= Cells.xMin && near.yMin >= Cells.yMin && near.xMax <= Cells.xMax && near.yMax <= Cells.yMax;
 
             public void Read(TerrainData terrain, Vector3 cellSize, RectInt cells, float lowest)
             {
                 float[,] newHeights = terrain.GetHeights(cells.xMin, cells.yMin, cells.width + 1, cells.height + 1);
                 bool[,] newSurface = terrain.GetHoles(cells.xMin, cells.yMin, cells.width, cells.height);
-                bool same = Holds(terrain, cellSize, cells, lowest) && cells.Equals(Cells) && Same(heights, newHeights) && Same(surface, newSurface);
+                bool same = Holds(terrain, cellSize, cells, lowest) && cells.Equals(Cells) && Same(heights, newHeights) &&
+                    Same(surface, newSurface);
                 if (same) return;
                 (data, cell, resolution, Floor, Cells) = (terrain, cellSize, terrain.heightmapResolution, lowest, cells);
                 (heights, surface) = (newHeights, newSurface);
@@ -147,7 +149,7 @@ namespace SphFluid
                 Mesh = TerrainMesh.Make(metres, surface, corner, cell.x, cell.z, Floor);
             }
 
-            static bool Same<T>(T[,] a, T[,] b) where T : IEquatable<T>
+            private static bool Same<T>(T[,] a, T[,] b) where T : IEquatable<T>
             {
                 for (int z = 0; z < a.GetLength(0); z++)
                     for (int x = 0; x < a.GetLength(1); x++)

@@ -13,8 +13,8 @@ namespace SphFluid
         public const float DefaultAspect = 0.65f;
 
 #if SPHFLUID_VEHICLES
-        readonly Dictionary<Collider, Disc> discs = new Dictionary<Collider, Disc>();
-        readonly List<WheelCollider> found = new List<WheelCollider>();
+        private readonly Dictionary<Collider, Disc> discs = new Dictionary<Collider, Disc>();
+        private readonly List<WheelCollider> found = new List<WheelCollider>();
 #endif
 
         /// <summary>Whether a collider is a wheel's.</summary>
@@ -33,7 +33,8 @@ namespace SphFluid
         /// <param name="friction">0 free slip to 1 no slip; negative: as the domain's faces.</param>
         /// <param name="worldToSimulation">World space to simulation space.</param>
         /// <param name="spacing">Particle spacing dx [m].</param>
-        public ColliderState StateOf(Collider collider, IColliderSettings settings, float friction, in Matrix4x4 worldToSimulation, float spacing)
+        public ColliderState StateOf(Collider collider, IColliderSettings settings, float friction, in Matrix4x4 worldToSimulation,
+            float spacing)
         {
 #if SPHFLUID_VEHICLES
             if (collider is WheelCollider wheel)
@@ -63,27 +64,31 @@ namespace SphFluid
                 {
                     if (!wheel.enabled || hits.Contains(wheel) || !spec.Has(wheel, query.Layers)) continue;
                     ColliderState state = StateOf(wheel, spec.Settings, spec.Settings.EffectiveFriction, worldToSimulation, query.Spacing);
-                    if (IsNear(state.ToSimulation.GetPosition(), RadiusOf(wheel) + WidthOf(wheel, spec.Settings), query.HalfExtents)) states.Add(state);
+                    if (IsNear(state.ToSimulation.GetPosition(), RadiusOf(wheel) + WidthOf(wheel, spec.Settings), query.HalfExtents))
+                    {
+                        states.Add(state);
+                    }
                 }
             }
 #endif
         }
 
 #if SPHFLUID_VEHICLES
-        static bool IsNear(Vector3 centre, float reach, Vector3 half)
+        private static bool IsNear(Vector3 centre, float reach, Vector3 half)
         {
-            var nearest = new Vector3(Mathf.Clamp(centre.x, -half.x, half.x), Mathf.Clamp(centre.y, -half.y, half.y), Mathf.Clamp(centre.z, -half.z, half.z));
+            var nearest = new Vector3(Mathf.Clamp(centre.x, -half.x, half.x), Mathf.Clamp(centre.y, -half.y, half.y),
+                Mathf.Clamp(centre.z, -half.z, half.z));
             return (centre - nearest).sqrMagnitude <= reach * reach;
         }
 
         // Suspension and radius follow the scale of y, along which the wheel springs.
-        static float RadiusOf(WheelCollider wheel) => Mathf.Abs(wheel.radius * wheel.transform.lossyScale.y);
+        private static float RadiusOf(WheelCollider wheel) => Mathf.Abs(wheel.radius * wheel.transform.lossyScale.y);
 
-        static float WidthOf(WheelCollider wheel, IColliderSettings settings) =>
+        private static float WidthOf(WheelCollider wheel, IColliderSettings settings) =>
             settings != null && settings.WheelWidth > 0f ? settings.WheelWidth : DefaultAspect * RadiusOf(wheel);
 
         // The axle is the pose's x axis. Without a Rigidbody Unity's physics has no wheel: it is at the collider's centre.
-        static Matrix4x4 PoseOf(WheelCollider wheel)
+        private static Matrix4x4 PoseOf(WheelCollider wheel)
         {
             Vector3 position = wheel.transform.TransformPoint(wheel.center);
             Quaternion rotation = wheel.transform.rotation;
@@ -91,7 +96,7 @@ namespace SphFluid
             return Matrix4x4.TRS(position, rotation, Vector3.one);
         }
 
-        Disc Add(WheelCollider wheel)
+        private Disc Add(WheelCollider wheel)
         {
             GoneKeys.Forget(discs);
             var disc = new Disc();
@@ -99,14 +104,14 @@ namespace SphFluid
             return disc;
         }
 
-        sealed class Disc
+        private sealed class Disc
         {
-            static readonly TriangleMesh None = new TriangleMesh(new Vector3[0], new int[0]);
+            private static readonly TriangleMesh None = new TriangleMesh(new Vector3[0], new int[0]);
 
             // Of its size: what rounding may change as the object turns.
-            const float Tolerance = 1e-4f;
+            private const float Tolerance = 1e-4f;
 
-            Vector3 made;
+            private Vector3 made;
 
             /// <summary>The triangles about the origin, the axle along x; none where the wheel has no size.</summary>
             public TriangleMesh Mesh { get; private set; } = None;

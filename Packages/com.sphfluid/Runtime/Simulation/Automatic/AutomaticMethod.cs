@@ -4,17 +4,17 @@ using System.Collections.Generic;
 namespace SphFluid
 {
     /// <summary>
-    /// The choice of a simulation whose Method is Automatic, for as long as it lasts: from a start until a setting changes that it follows from. While the liquid
-    /// runs the method changes only where its own settings, the budget or the frame rate as they are typed, do, or where it is asked for; other changes
-    /// keep the method and are answered by its softness alone.
+    /// The choice of a simulation whose Method is Automatic, for as long as it lasts: from a start until a setting changes that it follows
+    /// from. While the liquid runs the method changes only where its own settings, the budget or the frame rate as they are typed, do, or
+    /// where it is asked for; other changes keep the method and are answered by its softness alone.
     /// </summary>
     internal sealed class AutomaticMethod
     {
-        FluidMethodChoice advised;
-        FluidLiveKey key;
-        AutomaticSpec asked;
-        FluidMethodKind? fallback;
-        FluidShaderSet fallbackOf;
+        private FluidMethodChoice advised;
+        private FluidLiveKey key;
+        private AutomaticSpec asked;
+        private FluidMethodKind? fallback;
+        private FluidShaderSet fallbackOf;
 
         /// <summary>The choice in use; null where there is none yet.</summary>
         public FluidMethodChoice Choice { get; private set; }
@@ -41,7 +41,10 @@ namespace SphFluid
         /// <summary>The next start chooses anew, and nothing is in use until then.</summary>
         public void Forget() => Choice = advised = null;
 
-        /// <summary>Chooses again where a setting has changed that the choice follows from. Another method only where the budget or its frame rate changed.</summary>
+        /// <summary>
+        /// Chooses again where a setting has changed that the choice follows from. Another method only where the budget or its frame rate
+        /// changed.
+        /// </summary>
         /// <param name="spec">The simulation, by the present choice.</param>
         /// <param name="run">The running liquid.</param>
         /// <param name="report">Receives what changed.</param>
@@ -61,7 +64,8 @@ namespace SphFluid
         public void ChooseAgain(in FluidSpec spec, FluidRun run, bool mayChangeMethod, Action<FluidMessage> report)
         {
             (asked, key) = (spec.Automatic, KeyOf(spec));
-            FluidMethodChoice best = MethodChooser.Choose(spec, run.Start, run.HasBodies, mayChangeMethod ? MeterOf(spec, run) : null, Choice);
+            FluidMethodChoice best =
+                MethodChooser.Choose(spec, run.Start, run.HasBodies, mayChangeMethod ? MeterOf(spec, run) : null, Choice);
             if (best == null) return;
             if (best.Method == Choice.Method || mayChangeMethod)
             {
@@ -81,10 +85,10 @@ namespace SphFluid
         }
 
         // As the settings have them, so that a choice's own changes are none.
-        static FluidLiveKey KeyOf(in FluidSpec spec) => FluidLiveKey.AsGiven(spec.AsSet());
+        private static FluidLiveKey KeyOf(in FluidSpec spec) => FluidLiveKey.AsGiven(spec.AsSet());
 
         // The particles as they are now.
-        static StepMeter MeterOf(in FluidSpec spec, FluidRun run)
+        private static StepMeter MeterOf(in FluidSpec spec, FluidRun run)
         {
             FluidShaderSet shaders = spec.Profile.Shaders;
             return (in FluidSolverSettings settings) =>
@@ -95,8 +99,11 @@ namespace SphFluid
             };
         }
 
-        /// <summary>The method that a simulation is taken for before there is a choice: the first that may be picked and runs here; Standard where none does.</summary>
-        FluidMethodKind Fallback(in FluidSpec spec)
+        /// <summary>
+        /// The method that a simulation is taken for before there is a choice: the first that may be picked and runs here; Standard where
+        /// none does.
+        /// </summary>
+        private FluidMethodKind Fallback(in FluidSpec spec)
         {
             if (fallback.HasValue && ReferenceEquals(fallbackOf, spec.Profile.Shaders)) return fallback.Value;
             (fallback, fallbackOf) = (FluidMethodKind.Standard, spec.Profile.Shaders);

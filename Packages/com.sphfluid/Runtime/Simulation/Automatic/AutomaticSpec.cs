@@ -8,8 +8,8 @@ namespace SphFluid
         /// <summary>Frames a second where nothing says another number.</summary>
         public const double UsualFrameRate = 60.0;
 
-        readonly float maxCompression, soundSpeedRatio;
-        readonly int substeps;
+        private readonly float maxCompression, soundSpeedRatio;
+        private readonly int substeps;
 
         /// <summary>Of a simulation as its settings have it.</summary>
         /// <param name="budget">Time that a frame's steps may take on the graphics device [ms].</param>
@@ -50,7 +50,8 @@ namespace SphFluid
         }
 
         /// <inheritdoc/>
-        public bool Equals(AutomaticSpec other) => IsOn == other.IsOn && HasBudgetOf(other) && maxCompression.Equals(other.maxCompression) &&
+        public bool Equals(AutomaticSpec other) => IsOn == other.IsOn && HasBudgetOf(other) &&
+            maxCompression.Equals(other.maxCompression) &&
             soundSpeedRatio.Equals(other.soundSpeedRatio) && MaxSubsteps == other.MaxSubsteps && substeps == other.substeps;
 
         /// <inheritdoc/>

@@ -4,15 +4,15 @@ using System.Collections.Generic;
 namespace SphFluid
 {
     /// <summary>
-    /// The spacing at which a liquid that is too dear, or too soft, would be neither: the number of particles goes with the inverse cube of the spacing, the
-    /// number of steps as the methods offer. It is only proposed.
+    /// The spacing at which a liquid that is too dear, or too soft, would be neither: the number of particles goes with the inverse cube of
+    /// the spacing, the number of steps as the methods offer. It is only proposed.
     /// </summary>
     internal static class CoarserSpacing
     {
-        const double Growth = 1.02;
+        private const double Growth = 1.02;
 
         // Of the present spacing: a liquid with a thousandth of its particles is another scene.
-        const double Most = 10.0;
+        private const double Most = 10.0;
 
         /// <summary>Adds the proposal to a choice, where there is one.</summary>
         public static void Propose(FluidMethodChoice choice, in FluidRuleInput input, bool hasBodies)
@@ -29,22 +29,26 @@ namespace SphFluid
             }
         }
 
-        static FluidMethodKind? Fitting(FluidMethodChoice choice, in FluidRuleInput input, long particles, bool hasBodies)
+        private static FluidMethodKind? Fitting(FluidMethodChoice choice, in FluidRuleInput input, long particles, bool hasBodies)
         {
             var asked = new HashSet<FluidMethodKind>();
             foreach (FluidMethodCandidate candidate in choice.Considered)
             {
                 if (candidate.Obstacle != null || double.IsNaN(candidate.MillisecondsAStep) || !asked.Add(candidate.Method)) continue;
                 double cost = candidate.CostSource == FluidCostSource.Estimated ? StepCosts.Estimate(candidate.Method, particles)
-                    : StepCosts.TryFind(StepCostKey.Create(FluidMethods.Get(candidate.Method).Derive(candidate.Offer.Apply(input)), hasBodies), particles, out StepCost known) ? known.Milliseconds : double.NaN;
+                    : StepCosts.TryFind(StepCostKey.Create(FluidMethods.Get(candidate.Method).Derive(candidate.Offer.Apply(input)),
+                        hasBodies), particles, out StepCost known) ? known.Milliseconds : double.NaN;
                 foreach (MethodOffer offer in MethodChooser.Offers(FluidMethods.Get(candidate.Method), input, choice.Asked, cost))
-                    if (offer.StepsAFrame * offer.CostRatio * cost <= choice.FrameBudget && offer.SoundSpeed >= offer.LeastSoundSpeed) return candidate.Method;
+                    if (offer.StepsAFrame * offer.CostRatio * cost <= choice.FrameBudget && offer.SoundSpeed >= offer.LeastSoundSpeed)
+                    {
+                        return candidate.Method;
+                    }
             }
             return null;
         }
 
         // A liquid in which a force acts no more is another liquid.
-        static bool LosesForce(in FluidRuleInput input, in FluidRuleInput coarser)
+        private static bool LosesForce(in FluidRuleInput input, in FluidRuleInput coarser)
         {
             FluidMethodFeatures lost = MethodObstacles.AskedBy(input) & ~MethodObstacles.AskedBy(coarser);
             foreach (FluidMethod method in FluidMethods.All)
@@ -53,7 +57,7 @@ namespace SphFluid
         }
 
         // To three digits, as users type it: 0.031234 m to 0.0312.
-        static float Round(double spacing)
+        private static float Round(double spacing)
         {
             double digit = Math.Pow(10.0, Math.Floor(Math.Log10(spacing)) - 2.0);
             return (float)(Math.Ceiling(spacing / digit - 1e-6) * digit);

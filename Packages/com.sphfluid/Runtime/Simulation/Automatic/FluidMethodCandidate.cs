@@ -39,7 +39,9 @@ namespace SphFluid
         /// <summary>Compression allowed at the bottom of the liquid at rest; 0.04 is 4 %.</summary>
         public float MaxCompression => Offer.MaxCompression;
 
-        /// <summary>Steps of every frame where the method has a fixed number of them; 0 where the number follows from their length.</summary>
+        /// <summary>
+        /// Steps of every frame where the method has a fixed number of them; 0 where the number follows from their length.
+        /// </summary>
         public int Substeps => Offer.Substeps;
 
         /// <summary>Most steps that a frame takes.</summary>

@@ -7,7 +7,7 @@ namespace SphFluid
     public sealed class FluidMethodChoice
     {
         // A frame may be up to twice as long as those that the choice is for before steps are left out.
-        const double LongestFrame = 2.0;
+        private const double LongestFrame = 2.0;
 
         internal FluidMethodChoice(in AutomaticSpec asked, long particles, IReadOnlyList<FluidMethodCandidate> considered, int pick)
         {
@@ -33,7 +33,10 @@ namespace SphFluid
         /// <summary>Number of particles that the costs are for.</summary>
         public long Particles { get; }
 
-        /// <summary>All that was considered, the pick among them, the most faithful first. What comes after one that fits is not measured and not listed.</summary>
+        /// <summary>
+        /// All that was considered, the pick among them, the most faithful first. What comes after one that fits is not measured and not
+        /// listed.
+        /// </summary>
         public IReadOnlyList<FluidMethodCandidate> Considered { get; }
 
         /// <summary>Whether the pick's steps fit the budget. Where they do not, the liquid keeps time and frames take longer.</summary>
@@ -43,8 +46,8 @@ namespace SphFluid
         public bool IsMeasured => !double.IsNaN(Pick.MillisecondsAFrame);
 
         /// <summary>
-        /// Particle spacing at which the liquid would fit the budget, and keep its shape, by these costs [m]; 0 where the pick does, or none was found. It is
-        /// proposed and never set.
+        /// Particle spacing at which the liquid would fit the budget, and keep its shape, by these costs [m]; 0 where the pick does, or
+        /// none was found. It is proposed and never set.
         /// </summary>
         public float ProposedSpacing { get; internal set; }
 
@@ -65,7 +68,10 @@ namespace SphFluid
         /// <summary>Whether the pick came with a save, and was not chosen here.</summary>
         internal bool IsRestored { get; private set; }
 
-        /// <summary>The simulation as it runs by the pick. The most steps a frame are raised to what frames twice as long need, so that the liquid keeps time.</summary>
+        /// <summary>
+        /// The simulation as it runs by the pick. The most steps a frame are raised to what frames twice as long need, so that the liquid
+        /// keeps time.
+        /// </summary>
         internal FluidSpec Apply(FluidSpec spec)
         {
             spec.Method = Method;
@@ -76,8 +82,10 @@ namespace SphFluid
         }
 
         /// <summary>Whether the liquid runs by another choice as by this one.</summary>
-        internal bool IsSameAs(FluidMethodChoice other) => Method == other.Method && Pick.MaxCompression.Equals(other.Pick.MaxCompression) &&
-            Pick.Offer.SoundSpeedRatio.Equals(other.Pick.Offer.SoundSpeedRatio) && Pick.Substeps == other.Pick.Substeps && Pick.StepsAFrame.Equals(other.Pick.StepsAFrame);
+        internal bool IsSameAs(FluidMethodChoice other) => Method == other.Method &&
+            Pick.MaxCompression.Equals(other.Pick.MaxCompression) &&
+            Pick.Offer.SoundSpeedRatio.Equals(other.Pick.Offer.SoundSpeedRatio) && Pick.Substeps == other.Pick.Substeps &&
+            Pick.StepsAFrame.Equals(other.Pick.StepsAFrame);
 
         /// <summary>Writes what a restored liquid goes on by.</summary>
         internal void Save(SaveWriter writer)

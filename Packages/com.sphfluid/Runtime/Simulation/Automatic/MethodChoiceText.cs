@@ -18,15 +18,24 @@ namespace SphFluid
             if (!choice.IsMeasured) return $"{Name(choice.Pick)} for now: what a step costs on this device is measured at the start.";
             var text = new StringBuilder();
             text.Append(choice.FitsBudget
-                ? Invariant($"{Name(choice.Pick)}, {Steps(choice.Pick)}: {Time(choice.Pick)} of the {choice.FrameBudget:0.##} ms allowed at {choice.FrameRate:0.#} frames a second.")
-                : Invariant($"{Name(choice.Pick)}, {Steps(choice.Pick)}: {Time(choice.Pick)}, more than the {choice.FrameBudget:0.##} ms allowed at {choice.FrameRate:0.#} frames a second. No way is cheaper by more than a fifth; the liquid keeps time, and frames take longer."));
+                ? Invariant($"{Name(choice.Pick)}, {Steps(choice.Pick)}: {Time(choice.Pick)} of the {choice.FrameBudget:0.##} ms ") +
+                    Invariant($"allowed at {choice.FrameRate:0.#} frames a second.")
+                : Invariant($"{Name(choice.Pick)}, {Steps(choice.Pick)}: {Time(choice.Pick)}, more than the {choice.FrameBudget:0.##} ") +
+                    Invariant($"ms allowed at {choice.FrameRate:0.#} frames a second. No way is cheaper by more than a fifth; the ") +
+                    "liquid keeps time, and frames take longer.");
             int others = choice.FitsBudget ? choice.Rank : choice.Considered.Count;
             for (int i = 0; i < others; i++)
                 if (i != choice.Rank && Other(choice.Considered[i]) is string other) text.Append(' ').Append(other);
             if (choice.Pick.Substeps > 0 && choice.Pick.IsStiffEnough)
+            {
                 text.Append(Invariant($" Its speed of sound is {choice.Pick.SoundSpeed:0.#} m/s."));
+            }
             if (!choice.Pick.IsStiffEnough)
-                text.Append(Invariant($" At a speed of sound of {choice.Pick.SoundSpeed:0.#} m/s it is too soft for this depth, which needs {choice.Pick.Offer.LeastSoundSpeed:0.#} m/s: it sinks in."));
+            {
+                text.Append(
+                    Invariant($" At a speed of sound of {choice.Pick.SoundSpeed:0.#} m/s it is too soft for this depth, which needs ") +
+                    Invariant($"{choice.Pick.Offer.LeastSoundSpeed:0.#} m/s: it sinks in."));
+            }
             return text.Append(' ').Append(Source(choice)).ToString();
         }
 
@@ -39,8 +48,11 @@ namespace SphFluid
         {
             if (!choice.IsMeasured || choice.IsRestored || choice.FitsBudget && choice.Pick.IsStiffEnough) return "";
             string spacing = choice.ProposedSpacing > 0f
-                ? SpacingCure + Invariant($"{choice.ProposedSpacing} m, which gives about {choice.ProposedParticles:N0} particles and fits by the method {choice.ProposedMethod}") : "";
-            string budget = choice.FitsBudget ? "raise Frame Budget" : Invariant($"allow a Frame Budget of {Up(choice.Pick.MillisecondsAFrame)} ms");
+                ? SpacingCure +
+                    Invariant($"{choice.ProposedSpacing} m, which gives about {choice.ProposedParticles:N0} particles and fits by the ") +
+                    Invariant($"method {choice.ProposedMethod}") : "";
+            string budget = choice.FitsBudget ? "raise Frame Budget"
+                : Invariant($"allow a Frame Budget of {Up(choice.Pick.MillisecondsAFrame)} ms");
             return spacing.Length > 0 ? $"{spacing}, or {budget}." : $"{char.ToUpperInvariant(budget[0])}{budget.Substring(1)}.";
         }
 
@@ -48,13 +60,15 @@ namespace SphFluid
         public static FluidMessage Message(FluidMethodChoice choice, Object owner)
         {
             string cure = Cure(choice);
-            return new FluidMessage(cure.Length > 0 ? FluidSeverity.Warning : FluidSeverity.Info, FluidIssue.MethodChoice, owner, "Method in use: " + Reason(choice), cure);
+            return new FluidMessage(cure.Length > 0 ? FluidSeverity.Warning : FluidSeverity.Info, FluidIssue.MethodChoice, owner,
+                "Method in use: " + Reason(choice), cure);
         }
 
         /// <summary>The message where no method can be picked.</summary>
         /// <param name="spec">The simulation, by the method that it runs by nevertheless.</param>
         /// <param name="obstacles">Why not, as sentences.</param>
-        public static FluidMessage NoneMessage(in FluidSpec spec, string obstacles) => new FluidMessage(FluidSeverity.Warning, FluidIssue.MethodChoice, spec.Owner,
+        public static FluidMessage NoneMessage(in FluidSpec spec, string obstacles) =>
+            new FluidMessage(FluidSeverity.Warning, FluidIssue.MethodChoice, spec.Owner,
             $"No method has all that the simulation uses: it runs by {spec.Method}, without some of it. {obstacles}",
             "Remove what is missing from the simulation or its profile, or set Method yourself.");
 
@@ -66,15 +80,16 @@ namespace SphFluid
         public static string Steps(in FluidMethodCandidate candidate) => candidate.Substeps > 0
             ? Invariant($"{candidate.Substeps} substeps a frame") : Invariant($"{candidate.StepsAFrame:0} steps a frame at most");
 
-        static string Time(in FluidMethodCandidate candidate) => Invariant($"{candidate.MillisecondsAFrame:0.00} ms");
+        private static string Time(in FluidMethodCandidate candidate) => Invariant($"{candidate.MillisecondsAFrame:0.00} ms");
 
-        static string Other(in FluidMethodCandidate candidate) =>
+        private static string Other(in FluidMethodCandidate candidate) =>
             candidate.Obstacle != null ? (candidate.Offer.AsTheProfileAsks ? $"{candidate.Method} {candidate.Obstacle}." : null) :
-            double.IsNaN(candidate.MillisecondsAFrame) ? (candidate.Offer.AsTheProfileAsks ? $"{candidate.Method} is not timed yet: it is at the start." : null) :
+            double.IsNaN(candidate.MillisecondsAFrame)
+            ? (candidate.Offer.AsTheProfileAsks ? $"{candidate.Method} is not timed yet: it is at the start." : null) :
             candidate.Substeps > 0 ? Invariant($"{Name(candidate)} would take {candidate.Substeps} substeps = {Time(candidate)}.")
             : Invariant($"{Name(candidate)} would take {candidate.StepsAFrame:0} steps = {Time(candidate)}.");
 
-        static string Source(FluidMethodChoice choice)
+        private static string Source(FluidMethodChoice choice)
         {
             string liquid = Invariant($"{choice.Particles:N0} particles on {SystemInfo.graphicsDeviceName}");
             switch (Least(choice.Considered))
@@ -85,7 +100,7 @@ namespace SphFluid
             }
         }
 
-        static FluidCostSource Least(IReadOnlyList<FluidMethodCandidate> considered)
+        private static FluidCostSource Least(IReadOnlyList<FluidMethodCandidate> considered)
         {
             FluidCostSource least = FluidCostSource.MeasuredInPlay;
             foreach (FluidMethodCandidate candidate in considered)
@@ -94,7 +109,7 @@ namespace SphFluid
         }
 
         // Two digits that are no less: 5.04 to 5.1.
-        static double Up(double milliseconds)
+        private static double Up(double milliseconds)
         {
             double digit = System.Math.Pow(10.0, System.Math.Floor(System.Math.Log10(milliseconds)) - 1.0);
             return System.Math.Round(System.Math.Ceiling(milliseconds / digit) * digit, 6);

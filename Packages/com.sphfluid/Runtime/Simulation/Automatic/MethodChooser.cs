@@ -8,8 +8,8 @@ namespace SphFluid
     internal delegate StepCost? StepMeter(in FluidSolverSettings settings);
 
     /// <summary>
-    /// Chooses the method of a simulation by the rule of the paper <i>Automatic</i>: the Standard method as the profile asks, else with three times the
-    /// compression, else a method with a fixed number of steps; each by what its steps cost on this device.
+    /// Chooses the method of a simulation by the rule of the paper <i>Automatic</i>: the Standard method as the profile asks, else with
+    /// three times the compression, else a method with a fixed number of steps; each by what its steps cost on this device.
     /// </summary>
     internal static class MethodChooser
     {
@@ -22,7 +22,8 @@ namespace SphFluid
         /// <param name="only">The only method to choose; null: any.</param>
         /// <returns>The choice; null where no method can be picked.</returns>
         /// <exception cref="ArgumentException">An input of the rules is out of range.</exception>
-        public static FluidMethodChoice Choose(in FluidSpec resolved, FluidStart start, bool hasBodies, StepMeter meter, FluidMethodChoice present = null, FluidMethodKind? only = null)
+        public static FluidMethodChoice Choose(in FluidSpec resolved, FluidStart start, bool hasBodies, StepMeter meter,
+            FluidMethodChoice present = null, FluidMethodKind? only = null)
         {
             FluidSpec spec = resolved.AsSet();
             FluidRuleInput input = FluidConstants.Input(spec, start, start.Gravity);
@@ -43,20 +44,31 @@ namespace SphFluid
         }
 
         /// <summary>The ways of a method for an input, with what a number of particles costs.</summary>
-        internal static IReadOnlyList<MethodOffer> Offers(FluidMethod method, in FluidRuleInput input, in AutomaticSpec asked, double millisecondsAStep) =>
-            method.Offers(new MethodQuestion { Input = input, FrameTime = 1.0 / asked.FrameRate, Affordable = asked.Budget / millisecondsAStep });
+        internal static IReadOnlyList<MethodOffer> Offers(FluidMethod method, in FluidRuleInput input, in AutomaticSpec asked,
+            double millisecondsAStep) =>
+            method
+                .Offers(new MethodQuestion
+                {
+                    Input = input, FrameTime = 1.0 / asked.FrameRate,
+                    Affordable = asked.Budget / millisecondsAStep
+                });
 
-        static void Add(List<FluidMethodCandidate> candidates, in FluidSpec spec, in FluidRuleInput input, FluidMethod method, long particles, bool hasBodies, StepMeter meter)
+        private static void Add(List<FluidMethodCandidate> candidates, in FluidSpec spec, in FluidRuleInput input, FluidMethod method,
+            long particles, bool hasBodies, StepMeter meter)
         {
             IReadOnlyList<MethodOffer> offers = Offers(method, input, spec.Automatic, double.NaN);
             if (offers.Count == 0) return;
             string obstacle = MethodObstacles.Find(spec, input, method);
-            double cost = obstacle == null ? CostOf(method, input, offers[0], particles, hasBodies, meter, out FluidCostSource source) : Unknown(out source);
+            double cost = obstacle == null ? CostOf(method, input, offers[0], particles, hasBodies, meter, out FluidCostSource source)
+                : Unknown(out source);
             foreach (MethodOffer offer in Offers(method, input, spec.Automatic, cost))
+            {
                 candidates.Add(new FluidMethodCandidate(offer, cost, source, obstacle));
+            }
         }
 
-        static double CostOf(FluidMethod method, in FluidRuleInput input, in MethodOffer offer, long particles, bool hasBodies, StepMeter meter, out FluidCostSource source)
+        private static double CostOf(FluidMethod method, in FluidRuleInput input, in MethodOffer offer, long particles, bool hasBodies,
+            StepMeter meter, out FluidCostSource source)
         {
             if (particles == 0) return Unknown(out source);
             FluidSolverSettings settings = method.Derive(offer.Apply(input));
@@ -78,17 +90,18 @@ namespace SphFluid
             return cost.Milliseconds;
         }
 
-        static double Unknown(out FluidCostSource source)
+        private static double Unknown(out FluidCostSource source)
         {
             source = FluidCostSource.Unknown;
             return double.NaN;
         }
 
         // Those that a simulation with a fixed number of slots can come to; else those of the start.
-        static long ParticlesOf(in FluidSpec spec, FluidStart start) =>
-            spec.Emitters?.Count > 0 && spec.CapacityPolicy != FluidCapacityPolicy.Grow && spec.Capacity > 0 ? Math.Max(start.Count, spec.MostParticles) : start.Count;
+        private static long ParticlesOf(in FluidSpec spec, FluidStart start) =>
+            spec.Emitters?.Count > 0 && spec.CapacityPolicy != FluidCapacityPolicy.Grow &&
+                spec.Capacity > 0 ? Math.Max(start.Count, spec.MostParticles) : start.Count;
 
-        static int RankOf(FluidMethodChoice present, List<FluidMethodCandidate> candidates)
+        private static int RankOf(FluidMethodChoice present, List<FluidMethodCandidate> candidates)
         {
             if (present == null) return -1;
             for (int i = 0; i < candidates.Count; i++)

@@ -13,7 +13,10 @@ namespace SphFluid
         public static string Find(in FluidSpec spec, FluidMethod method)
         {
             if (!FluidSupport.Query().Supports(method.Kind)) return "does not run on this device";
-            if (spec.Profile.Shaders != null && spec.Profile.Shaders.Missing(method.Shaders.AllShaders).Count > 0) return "has shaders that the shader set lacks";
+            if (spec.Profile.Shaders != null && spec.Profile.Shaders.Missing(method.Shaders.AllShaders).Count > 0)
+            {
+                return "has shaders that the shader set lacks";
+            }
             return Lack(spec, method) is string lack ? $"has no {lack}, which the simulation uses" : null;
         }
 
@@ -23,7 +26,8 @@ namespace SphFluid
         /// <param name="method">The method.</param>
         /// <returns>Null where there is none.</returns>
         /// <exception cref="ArgumentException">An input is out of range.</exception>
-        public static string Find(in FluidSpec spec, in FluidRuleInput input, FluidMethod method) => Find(spec, method) ?? MissingPhysics(input, method);
+        public static string Find(in FluidSpec spec, in FluidRuleInput input, FluidMethod method) =>
+            Find(spec, method) ?? MissingPhysics(input, method);
 
         /// <summary>Those of all methods that Automatic may pick, a sentence each.</summary>
         /// <param name="given">The simulation.</param>
@@ -39,13 +43,16 @@ namespace SphFluid
             return string.Join(" ", sentences);
         }
 
-        static string Lack(in FluidSpec spec, FluidMethod method) =>
+        private static string Lack(in FluidSpec spec, FluidMethod method) =>
             spec.Boundaries.Open != FluidFaces.None && !method.Has(FluidMethodFeatures.OpenFaces) ? "open faces" :
-            (spec.Emitters?.Count ?? 0) + (spec.Drains?.Count ?? 0) > 0 && !method.Has(FluidMethodFeatures.ChangingCount) ? "emitters and drains" :
+            (spec.Emitters?.Count ?? 0) + (spec.Drains?.Count ?? 0) > 0 && !method.Has(FluidMethodFeatures.ChangingCount)
+            ? "emitters and drains" :
             spec.Zones?.Count > 0 && !method.Has(FluidMethodFeatures.ForceZones) ? "force zones" :
             spec.StartRelaxation != FluidStartRelaxation.None && !method.Has(FluidMethodFeatures.RelaxedStart) ? "relaxed start" : null;
 
-        /// <summary>What any method that Automatic may pick finds that a liquid asks for, whether or not that method can be picked.</summary>
+        /// <summary>
+        /// What any method that Automatic may pick finds that a liquid asks for, whether or not that method can be picked.
+        /// </summary>
         /// <param name="input">The liquid.</param>
         /// <exception cref="ArgumentException">An input is out of range.</exception>
         public static FluidMethodFeatures AskedBy(in FluidRuleInput input)
@@ -56,7 +63,7 @@ namespace SphFluid
             return asked;
         }
 
-        static string MissingPhysics(in FluidRuleInput input, FluidMethod method)
+        private static string MissingPhysics(in FluidRuleInput input, FluidMethod method)
         {
             FluidMethodFeatures missing = AskedBy(input) & ~method.Features;
             foreach (FluidMethod other in FluidMethods.All)

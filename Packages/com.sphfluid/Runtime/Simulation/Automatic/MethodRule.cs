@@ -4,13 +4,15 @@ using System.Collections.Generic;
 namespace SphFluid
 {
     /// <summary>
-    /// Which of several ways to compute a liquid: the first, in the order from the most faithful down, whose frame fits the budget; where none does, the
-    /// first that costs about as little as the cheapest. Of those that fit a larger budget therefore never picks one further down. Where one is in use
-    /// that still fits, one above it has to fit with some to spare.
+    /// Which of several ways to compute a liquid: the first, in the order from the most faithful down, whose frame fits the budget; where
+    /// none does, the first that costs about as little as the cheapest. Of those that fit a larger budget therefore never picks one further
+    /// down. Where one is in use that still fits, one above it has to fit with some to spare.
     /// </summary>
     internal static class MethodRule
     {
-        /// <summary>Share of the budget that one above the present pick must fit, so that costs that waver do not change the pick to and fro.</summary>
+        /// <summary>
+        /// Share of the budget that one above the present pick must fit, so that costs that waver do not change the pick to and fro.
+        /// </summary>
         public const double ReturnShare = 0.9;
 
         /// <summary>How many times the cheapest one's cost is about as little, where none fits: timed costs waver by so much.</summary>

@@ -7,28 +7,30 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>
-    /// Times steps of a liquid at its start, on a solver beside it with the same particles and colliders: blocks of steps between two waits for the GPU, less
-    /// what such a wait takes without steps. A large liquid is timed in part first, and whole only where that fits the time; else by the part, in
-    /// proportion.
+    /// Times steps of a liquid at its start, on a solver beside it with the same particles and colliders: blocks of steps between two waits
+    /// for the GPU, less what such a wait takes without steps. A large liquid is timed in part first, and whole only where that fits the
+    /// time; else by the part, in proportion.
     /// </summary>
     internal static class StepCalibration
     {
         /// <summary>Time that the timing of a method may take, besides its first steps [s].</summary>
         public const double LongestTime = 0.3;
 
-        const int StepsABlock = 4;
-        const int MostBlocks = 3;
+        private const int StepsABlock = 4;
+        private const int MostBlocks = 3;
 
         // Few enough for any device, enough to fill it in part.
-        const int FirstPart = 4096;
+        private const int FirstPart = 4096;
 
         /// <summary>Times the steps.</summary>
         /// <param name="settings">The liquid's constants.</param>
         /// <param name="shaders">The shaders.</param>
         /// <param name="particles">Its particles.</param>
         /// <param name="collision">Its colliders, gathered.</param>
-        /// <returns>What was measured, with the number of particles that it was measured with; null where the device cannot be timed so.</returns>
-        public static StepCost? Measure(in FluidSolverSettings settings, FluidShaderSet shaders, IReadOnlyList<FluidParticle> particles, CollisionScene collision)
+        /// <returns>What was measured, with the number of particles that it was measured with; null where the device cannot be timed
+        /// so.</returns>
+        public static StepCost? Measure(in FluidSolverSettings settings, FluidShaderSet shaders, IReadOnlyList<FluidParticle> particles,
+            CollisionScene collision)
         {
             if (particles.Count == 0) return null;
             try
@@ -45,7 +47,8 @@ namespace SphFluid
             }
         }
 
-        static StepCost? Time(in FluidSolverSettings settings, FluidShaderSet shaders, IReadOnlyList<FluidParticle> particles, CollisionScene collision, out double took)
+        private static StepCost? Time(in FluidSolverSettings settings, FluidShaderSet shaders, IReadOnlyList<FluidParticle> particles,
+            CollisionScene collision, out double took)
         {
             using (var bodies = new CollisionBodies(settings))
             using (var solver = new FluidSolver(settings, shaders, particles))
@@ -71,7 +74,7 @@ namespace SphFluid
             }
         }
 
-        static double Seconds(FluidSolver solver, CommandBuffer commands, int steps)
+        private static double Seconds(FluidSolver solver, CommandBuffer commands, int steps)
         {
             var clock = Stopwatch.StartNew();
             commands.Clear();

@@ -1,10 +1,13 @@
 namespace SphFluid
 {
-    /// <summary>Notes what the steps of a liquid cost in play, once its timer's means are complete, and whether the choice of its method was right about it.</summary>
+    /// <summary>
+    /// Notes what the steps of a liquid cost in play, once its timer's means are complete, and whether the choice of its method was right
+    /// about it.
+    /// </summary>
     internal sealed class StepCostWatch
     {
         // Of the budget, above which something is said.
-        const double Tolerance = 1.1;
+        private const double Tolerance = 1.1;
 
         /// <summary>Whether the cost is still to be noted.</summary>
         public bool IsUnderWay { get; private set; }
@@ -26,9 +29,14 @@ namespace SphFluid
             if (!IsUnderWay || timer == null || timer.FrameCount < StepTimer.Window) return null;
             IsUnderWay = false;
             Record(timer, run.Solver, run.HasBodies);
-            if (choice == null || !choice.IsMeasured || !choice.FitsBudget || timer.MillisecondsAFrame <= Tolerance * choice.FrameBudget) return null;
+            if (choice == null || !choice.IsMeasured || !choice.FitsBudget || timer.MillisecondsAFrame <= Tolerance * choice.FrameBudget)
+            {
+                return null;
+            }
             return new FluidMessage(FluidSeverity.Info, FluidIssue.MethodChoice, owner,
-                System.FormattableString.Invariant($"The steps take {timer.MillisecondsAFrame:0.00} ms a frame in play, where {choice.Pick.MillisecondsAFrame:0.00} ms at most were expected and {choice.FrameBudget:0.##} ms are allowed."),
+                System.FormattableString.Invariant($"The steps take {timer.MillisecondsAFrame:0.00} ms a frame in play, where ") +
+                System.FormattableString.Invariant($"{choice.Pick.MillisecondsAFrame:0.00} ms at most were expected and ") +
+                System.FormattableString.Invariant($"{choice.FrameBudget:0.##} ms are allowed."),
                 "Press Choose Again or call ChooseMethodAgain, or start again: the method is picked by what was measured now.");
         }
 

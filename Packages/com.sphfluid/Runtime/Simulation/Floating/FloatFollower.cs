@@ -30,13 +30,13 @@ namespace SphFluid
         public const int Memory = 32;
 
         // Of the gap, free and where something refuses corrections: they hold the GPU's body off then, and nothing is seen of them.
-        const float Gain = 0.25f, HeldGain = 0.5f;
+        private const float Gain = 0.25f, HeldGain = 0.5f;
 
-        readonly Entry[] entries = new Entry[Memory];
-        FloatChange given;
-        long newest = -1, oldest;
+        private readonly Entry[] entries = new Entry[Memory];
+        private FloatChange given;
+        private long newest = -1, oldest;
 
-        struct Entry
+        private struct Entry
         {
             public FloatMotion Motion;
             public FloatChange Given; // between the frame before and this one
@@ -87,7 +87,8 @@ namespace SphFluid
         /// <param name="frame">Frame that this is of.</param>
         /// <param name="rates">Accelerations that both are taken to have had since [m/s², rad/s²].</param>
         /// <param name="mostTurn">Most that the body may be turned [rad].</param>
-        /// <param name="held">Whether something refuses what the scene's body is given, so that it has not fallen as the GPU's would.</param>
+        /// <param name="held">Whether something refuses what the scene's body is given, so that it has not fallen as the GPU's
+        /// would.</param>
         /// <returns>Nothing, where the frame is not remembered.</returns>
         public FloatChange Correct(in FloatMotion gpu, long frame, in FloatChange rates = default, float mostTurn = float.PositiveInfinity,
             bool held = false)
@@ -105,8 +106,12 @@ namespace SphFluid
                 AngularVelocity = gpu.AngularVelocity - then.Motion.AngularVelocity + turning,
             };
             gap.Displacement = gpu.Pose.Centre - then.Motion.Pose.Centre + since * (gap.Velocity - hastened) + (float)fall * rates.Velocity;
-            gap.Rotation = gpu.Pose.TurnFrom(then.Motion.Pose) + since * (gap.AngularVelocity - turning) + (float)fall * rates.AngularVelocity;
-            for (long j = frame + 1; j <= newest; j++) Subtract(ref gap, entries[j % Memory].Given, (float)(now - entries[j % Memory].Begin));
+            gap.Rotation = gpu.Pose.TurnFrom(then.Motion.Pose) + since * (gap.AngularVelocity - turning) +
+                (float)fall * rates.AngularVelocity;
+            for (long j = frame + 1; j <= newest; j++)
+            {
+                Subtract(ref gap, entries[j % Memory].Given, (float)(now - entries[j % Memory].Begin));
+            }
             Subtract(ref gap, given, 0f);
             float gain = held ? HeldGain : Gain;
             return new FloatChange
@@ -127,7 +132,7 @@ namespace SphFluid
             given.Rotation += change.Rotation;
         }
 
-        static void Subtract(ref FloatChange gap, in FloatChange earlier, float age)
+        private static void Subtract(ref FloatChange gap, in FloatChange earlier, float age)
         {
             gap.Velocity -= earlier.Velocity;
             gap.AngularVelocity -= earlier.AngularVelocity;

@@ -2,16 +2,19 @@ using UnityEngine;
 
 namespace SphFluid
 {
-    /// <summary>When a body in calm liquid sleeps: PhysX need not be told of gravity and the liquid's push while they are as they were when it came to rest.</summary>
+    /// <summary>
+    /// When a body in calm liquid sleeps: PhysX need not be told of gravity and the liquid's push while they are as they were when it came
+    /// to rest.
+    /// </summary>
     internal struct FloatRest
     {
-        const float Patience = 1f, Smoothing = 0.4f; // s
+        private const float Patience = 1f, Smoothing = 0.4f; // s
 
         // Of the energy below which PhysX lets a body sleep: a tenth of the speed, and half of it.
-        const float Calm = 0.01f, Stirred = 0.25f;
+        private const float Calm = 0.01f, Stirred = 0.25f;
 
-        Vector3 mean, gained; // acceleration while awake [m/s²]; velocity by what has changed of it since [m/s]
-        float calm;
+        private Vector3 mean, gained; // acceleration while awake [m/s²]; velocity by what has changed of it since [m/s]
+        private float calm;
 
         /// <summary>It falls asleep: one that is woken at once is calm anew.</summary>
         public void Begin() => calm = 0f;

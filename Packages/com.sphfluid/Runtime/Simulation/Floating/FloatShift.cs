@@ -3,12 +3,12 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>
-    /// A displacement or turn that a body is given as a velocity for one physics step, and that is taken back after it: so that contacts can refuse it,
-    /// and that a body which is drawn between its steps goes there evenly.
+    /// A displacement or turn that a body is given as a velocity for one physics step, and that is taken back after it: so that contacts
+    /// can refuse it, and that a body which is drawn between its steps goes there evenly.
     /// </summary>
     internal struct FloatShift
     {
-        Vector3 given;
+        private Vector3 given;
 
         /// <summary>Velocity that the next step is to have besides the body's own [m/s].</summary>
         public Vector3 Next;

@@ -5,8 +5,8 @@ namespace SphFluid
     /// <summary>Bodies that rest on each other, as one rigid body.</summary>
     internal struct FloatSum
     {
-        readonly Vector3 origin;
-        Vector3 moment, force, torque, inertiaX, inertiaY, inertiaZ; // about the origin
+        private readonly Vector3 origin;
+        private Vector3 moment, force, torque, inertiaX, inertiaY, inertiaZ; // about the origin
 
         /// <param name="origin">A place in or near it [m].</param>
         public FloatSum(Vector3 origin) : this()
@@ -24,7 +24,7 @@ namespace SphFluid
             set => torque = value + Vector3.Cross(Centre, force);
         }
 
-        Vector3 Centre => moment / Mass;
+        private Vector3 Centre => moment / Mass;
 
         /// <summary>Adds a body.</summary>
         /// <param name="body">How it answers to impulses; free to move.</param>
@@ -50,14 +50,17 @@ namespace SphFluid
         public Vector3 At(Vector3 place, out Vector3 angularAcceleration)
         {
             Vector3 centre = Centre, about = Torque;
-            Vector3 x = inertiaX - Swung(Mass, centre, Vector3.right), y = inertiaY - Swung(Mass, centre, Vector3.up), z = inertiaZ - Swung(Mass, centre, Vector3.forward);
+            Vector3 x = inertiaX - Swung(Mass, centre, Vector3.right), y = inertiaY - Swung(Mass, centre, Vector3.up),
+                z = inertiaZ - Swung(Mass, centre, Vector3.forward);
             Vector3 yz = Vector3.Cross(y, z); // the rows of a symmetric matrix: their products are those of its inverse
             angularAcceleration = (about.x * yz + about.y * Vector3.Cross(z, x) + about.z * Vector3.Cross(x, y)) / Vector3.Dot(x, yz);
             return force / Mass + Vector3.Cross(angularAcceleration, place - origin - centre);
         }
 
-        static Vector3 Turned(in FloatingMass body, in FloatingPose pose, Vector3 spin) => pose.Rotation * Vector3.Scale(body.Inertia, Quaternion.Inverse(pose.Rotation) * spin);
+        private static Vector3 Turned(in FloatingMass body, in FloatingPose pose, Vector3 spin) =>
+            pose.Rotation * Vector3.Scale(body.Inertia, Quaternion.Inverse(pose.Rotation) * spin);
 
-        static Vector3 Swung(float mass, Vector3 arm, Vector3 spin) => mass * (arm.sqrMagnitude * spin - Vector3.Dot(arm, spin) * arm);
+        private static Vector3 Swung(float mass, Vector3 arm, Vector3 spin) =>
+            mass * (arm.sqrMagnitude * spin - Vector3.Dot(arm, spin) * arm);
     }
 }

@@ -7,7 +7,7 @@ namespace SphFluid
     /// <summary>How long a scene's physics was stepped, where only a script knows: a hidden body that goes 1 m a second.</summary>
     internal sealed class PhysicsClock : IDisposable
     {
-        Rigidbody hand;
+        private Rigidbody hand;
 
         /// <summary>Time that was stepped since the last call [s].</summary>
         public float Advance(Scene scene)
@@ -23,7 +23,7 @@ namespace SphFluid
             if (hand != null) UnityEngine.Object.Destroy(hand.gameObject);
         }
 
-        void Begin(Scene scene)
+        private void Begin(Scene scene)
         {
             var holder = new GameObject("SPH Fluid Physics Clock");
             SceneManager.MoveGameObjectToScene(holder, scene);

@@ -5,45 +5,50 @@ namespace SphFluid
 {
     /// <summary>
     /// A Rigidbody in the liquid. The GPU has a body of its own, which the liquid moves within the steps; what PhysX does beside that
-    /// (contacts, joints, forces of scripts) is found from the Rigidbody's velocities and places and pushes the GPU's body. PhysX in turn gets the liquid's
-    /// force as last known, and corrections towards the GPU's body.
+    /// (contacts, joints, forces of scripts) is found from the Rigidbody's velocities and places and pushes the GPU's body. PhysX in turn
+    /// gets the liquid's force as last known, and corrections towards the GPU's body.
     /// </summary>
     internal sealed class RigidbodyFloat
     {
         // Of a step's displacement or turn: what rounding, and PhysX's way of turning, leave.
-        const float Unexplained = 0.01f;
+        private const float Unexplained = 0.01f;
 
-        // Of a velocity, and of 1 m/s or 1 rad/s: what the rounding of a frame's physics steps leaves. Handed on, it would make the liquid depend on what PhysX is given.
-        const float Rounding = 1e-5f;
+        // Of a velocity, and of 1 m/s or 1 rad/s: what the rounding of a frame's physics steps leaves. Handed on, it would make the liquid
+        // depend on what PhysX is given.
+        private const float Rounding = 1e-5f;
 
         // Over the support radius: farther in a step is no push, the body was put elsewhere.
-        const float Elsewhere = 4f;
+        private const float Elsewhere = 4f;
 
-        // Part of a frame's force that the next is given: what an impact gives at once, corrections have given before it is known as a force.
-        const float Evenness = 0.25f;
+        // Part of a frame's force that the next is given: what an impact gives at once, corrections have given before it is known as a
+        // force.
+        private const float Evenness = 0.25f;
 
         // Corrections below this would keep bodies from resting [m, rad].
-        const float LeastCorrection = 1e-5f;
+        private const float LeastCorrection = 1e-5f;
 
         // A body farther than this from the GPU's does not fall asleep there [m].
-        const float RestGap = 1e-3f;
+        private const float RestGap = 1e-3f;
 
-        readonly Rigidbody rigidbody;
-        readonly FloatFollower follower = new FloatFollower();
-        readonly float reach;
-        State state;
+        private readonly Rigidbody rigidbody;
+        private readonly FloatFollower follower = new FloatFollower();
+        private readonly float reach;
+        private State state;
 
         // What is last seen and given.
-        struct State
+        private struct State
         {
             public FloatingMass Mass;
             public FloatMotion Last;
-            public FloatChange Refused, Correction, Given, Asked; // Given: with the next steps of physics; Asked: with the next one, by the forces of scripts
-            public FloatChange Pull, Share, Spread; // accelerations by the liquid, evened out; of a stack Share is what contacts leave of it, and Spread what they take
+            // Given: with the next steps of physics; Asked: with the next one, by the forces of scripts
+            public FloatChange Refused, Correction, Given, Asked;
+            // accelerations by the liquid, evened out; of a stack Share is what contacts leave of it, and Spread what they take
+            public FloatChange Pull, Share, Spread;
             public Vector3 ExpectedVelocity, ExpectedAngularVelocity; // of the frame, without what others do
             public FloatShift Shift, Turn;
             public FloatRest Rest;
-            public float StepLength, Unseen, Acted; // Unseen: what a fall in several steps may differ from one in one; Acted: time since a correction was given
+            // Unseen: what a fall in several steps may differ from one in one; Acted: time since a correction was given
+            public float StepLength, Unseen, Acted;
             public uint Epoch;
             public bool IsKnown, IsPulled, IsCorrected, IsHeld; // IsHeld: the last correction was refused
         }
@@ -115,10 +120,16 @@ namespace SphFluid
             state.Correction = CorrectionBy(Body.Known, time);
         }
 
-        /// <summary>Of a body of a stack: it takes the part of the correction that all have; by the rest the GPU's body goes its way.</summary>
+        /// <summary>
+        /// Of a body of a stack: it takes the part of the correction that all have; by the rest the GPU's body goes its way.
+        /// </summary>
         public void Apply(in FloatChange common)
         {
-            var rest = new FloatChange { Displacement = state.Correction.Displacement - common.Displacement, Rotation = state.Correction.Rotation - common.Rotation };
+            var rest = new FloatChange
+            {
+                Displacement = state.Correction.Displacement - common.Displacement,
+                Rotation = state.Correction.Rotation - common.Rotation
+            };
             follower.Give(rest);
             Body.Push(Vector3.zero, Vector3.zero, -rest.Displacement, -rest.Rotation);
             state.Correction = common;
@@ -128,7 +139,8 @@ namespace SphFluid
         public void Give(in FloatSpace space, float time)
         {
             if (rigidbody.IsSleeping()) return;
-            state.Asked.Velocity = time * state.Mass.Free(state.Mass.InverseMass * (space.ToSimulation * rigidbody.GetAccumulatedForce(time)));
+            state.Asked.Velocity =
+                time * state.Mass.Free(state.Mass.InverseMass * (space.ToSimulation * rigidbody.GetAccumulatedForce(time)));
             state.Asked.AngularVelocity = time * TurningBy(space.ToSimulation * rigidbody.GetAccumulatedTorque(time));
             FloatChange change = default, spread = default;
             if (Body.KnownFrame >= 0)
@@ -140,7 +152,8 @@ namespace SphFluid
 
             change.Velocity = state.Mass.Free(change.Velocity);
             state.Given = change;
-            Vector3 velocity = change.Velocity + spread.Velocity + state.Shift.Begin(), angularVelocity = change.AngularVelocity + spread.AngularVelocity + state.Turn.Begin();
+            Vector3 velocity = change.Velocity + spread.Velocity + state.Shift.Begin(),
+                angularVelocity = change.AngularVelocity + spread.AngularVelocity + state.Turn.Begin();
             if (velocity != Vector3.zero) rigidbody.AddForce(space.ToWorld * velocity, ForceMode.VelocityChange);
             if (angularVelocity != Vector3.zero) rigidbody.AddTorque(space.ToWorld * angularVelocity, ForceMode.VelocityChange);
         }
@@ -226,28 +239,32 @@ namespace SphFluid
             if (Body.Mass.InverseMass == 0f) rigidbody.Sleep();
         }
 
-        void Restart()
+        private void Restart()
         {
             Body.Seed();
             follower.Restart();
         }
 
         // Accelerations by the liquid's force as last known.
-        FloatChange PullOf(in FloatingState known)
+        private FloatChange PullOf(in FloatingState known)
         {
             float part = known.Time > 0f ? 1f / known.Time : 0f;
-            return new FloatChange { Velocity = state.Mass.Free(state.Mass.InverseMass * part * known.Impulse), AngularVelocity = TurningBy(part * known.AngularImpulse) };
+            return new FloatChange
+            {
+                Velocity = state.Mass.Free(state.Mass.InverseMass * part * known.Impulse),
+                AngularVelocity = TurningBy(part * known.AngularImpulse)
+            };
         }
 
         // The angular acceleration by a torque.
-        Vector3 TurningBy(Vector3 torque)
+        private Vector3 TurningBy(Vector3 torque)
         {
             Quaternion axes = state.Last.Pose.Rotation;
             return axes * Vector3.Scale(state.Mass.InverseInertia, Quaternion.Inverse(axes) * torque);
         }
 
         // PhysX bounds how fast a body turns.
-        FloatChange CorrectionBy(in FloatingState known, float time)
+        private FloatChange CorrectionBy(in FloatingState known, float time)
         {
             FloatChange rates = state.Share;
             rates.Velocity += state.Mass.Gravity;
@@ -258,7 +275,7 @@ namespace SphFluid
         }
 
         // A displacement and a turn are velocities of one step.
-        void Add(in FloatChange change, float time, ref FloatChange given)
+        private void Add(in FloatChange change, float time, ref FloatChange given)
         {
             given.Velocity += change.Velocity;
             given.AngularVelocity += change.AngularVelocity;
@@ -269,7 +286,7 @@ namespace SphFluid
         }
 
         // The liquid's force evened out; and a body in calm liquid may sleep, which forces alone would never let it.
-        void Rest()
+        private void Rest()
         {
             IsCalm = false;
             if (Body.KnownFrame < 0) return;
@@ -280,39 +297,48 @@ namespace SphFluid
             state.Pull.AngularVelocity += part * (pull.AngularVelocity - state.Pull.AngularVelocity);
             state.IsPulled = true;
             bool asleep = rigidbody.IsSleeping();
-            float energy = Mathf.Max(Energy(known.Velocity, known.AngularVelocity), Energy(state.Last.Velocity, state.Last.AngularVelocity));
+            float energy =
+                Mathf.Max(Energy(known.Velocity, known.AngularVelocity), Energy(state.Last.Velocity, state.Last.AngularVelocity));
             Vector3 acceleration = pull.Velocity + state.Mass.Free(state.Mass.Gravity);
             bool isBehind = (known.Pose.Centre - state.Last.Pose.Centre).magnitude > RestGap;
-            if (!state.Rest.Turns(asleep, acceleration, isBehind ? float.PositiveInfinity : energy, rigidbody.sleepThreshold, known.Time)) return;
+            if (!state.Rest.Turns(asleep, acceleration, isBehind ? float.PositiveInfinity : energy, rigidbody.sleepThreshold, known.Time))
+            {
+                return;
+            }
             if (asleep) rigidbody.WakeUp();
             else IsCalm = true;
         }
 
         // Over the mass, or somewhat more of what turns.
-        float Energy(Vector3 velocity, Vector3 angularVelocity) =>
+        private float Energy(Vector3 velocity, Vector3 angularVelocity) =>
             0.5f * (velocity.sqrMagnitude + state.Mass.InverseMass * state.Mass.Inertia.magnitude * angularVelocity.sqrMagnitude);
 
         // What steps of physics did beside going on by its velocities.
-        void Sample(in FloatSpace space)
+        private void Sample(in FloatSpace space)
         {
             FloatMotion now = MotionOf(space);
             float step = state.StepLength;
             if (state.IsKnown && !rigidbody.IsSleeping())
             {
                 Vector3 displacement = step * now.Velocity, rotation = step * now.AngularVelocity;
-                state.Refused.Displacement += Beyond(now.Pose.Centre - state.Last.Pose.Centre - displacement, displacement, LeastCorrection + state.Unseen, Unexplained);
+                state.Refused.Displacement += Beyond(now.Pose.Centre - state.Last.Pose.Centre - displacement, displacement,
+                    LeastCorrection + state.Unseen, Unexplained);
                 state.Refused.Rotation += Beyond(now.Pose.TurnFrom(state.Last.Pose) - rotation, rotation, LeastCorrection, Unexplained);
                 if (step > 0f) EndStep(space, step, ref now);
             }
 
             if (!state.IsKnown) (state.ExpectedVelocity, state.ExpectedAngularVelocity) = (now.Velocity, now.AngularVelocity);
-            if (step > 0f || rigidbody.IsSleeping()) (state.StepLength, state.Given, state.Asked, state.Shift, state.Turn) = (0f, default, default, default, default);
+            if (step > 0f || rigidbody.IsSleeping())
+            {
+                (state.StepLength, state.Given, state.Asked, state.Shift, state.Turn) = (0f, default, default, default, default);
+            }
             state.Last = now;
             state.IsKnown = true;
         }
 
-        // What the liquid, gravity and damping made of the velocities is expected. Shifts are taken back, so that scripts find a body's own velocities.
-        void EndStep(in FloatSpace space, float step, ref FloatMotion now)
+        // What the liquid, gravity and damping made of the velocities is expected. Shifts are taken back, so that scripts find a body's own
+        // velocities.
+        private void EndStep(in FloatSpace space, float step, ref FloatMotion now)
         {
             float kept = Kept(state.Mass.Damping, step), keptTurn = Kept(state.Mass.AngularDamping, step);
             Vector3 velocity = state.Given.Velocity + step * state.Mass.Gravity, angularVelocity = state.Given.AngularVelocity;
@@ -320,11 +346,13 @@ namespace SphFluid
             follower.Give(state.Given);
             state.ExpectedVelocity = kept * (state.ExpectedVelocity + velocity);
             state.ExpectedAngularVelocity = keptTurn * (state.ExpectedAngularVelocity + angularVelocity);
-            Vector3 refused = state.Shift.End(now.Velocity, kept * (state.Last.Velocity + velocity + state.Asked.Velocity), kept, out Vector3 left);
+            Vector3 refused = state.Shift.End(now.Velocity, kept * (state.Last.Velocity + velocity + state.Asked.Velocity), kept,
+                out Vector3 left);
             state.IsHeld = refused != Vector3.zero;
             state.Refused.Displacement -= step * refused;
             state.Refused.Rotation -= step * state.Turn.End(
-                now.AngularVelocity, keptTurn * (state.Last.AngularVelocity + angularVelocity + state.Asked.AngularVelocity), keptTurn, out Vector3 leftTurn);
+                now.AngularVelocity, keptTurn * (state.Last.AngularVelocity + angularVelocity + state.Asked.AngularVelocity), keptTurn,
+                out Vector3 leftTurn);
             now.Velocity -= left;
             now.AngularVelocity -= leftTurn;
             if (leftTurn != Vector3.zero) rigidbody.angularVelocity -= space.ToWorld * leftTurn;
@@ -337,23 +365,24 @@ namespace SphFluid
         }
 
         // As PhysX damps.
-        static float Kept(float damping, float deltaTime) => Mathf.Max(0f, 1f - damping * deltaTime);
+        private static float Kept(float damping, float deltaTime) => Mathf.Max(0f, 1f - damping * deltaTime);
 
-        static FloatingPose Turned(in FloatingPose pose, Vector3 displacement, Vector3 rotation) => new FloatingPose(
+        private static FloatingPose Turned(in FloatingPose pose, Vector3 displacement, Vector3 rotation) => new FloatingPose(
             pose.Centre + displacement, Quaternion.AngleAxis(rotation.magnitude * Mathf.Rad2Deg, rotation.normalized) * pose.Rotation);
 
         // What others did: nothing up to a least amount and a share of what is explained.
-        static Vector3 Beyond(Vector3 found, Vector3 explained, float least, float share) =>
+        private static Vector3 Beyond(Vector3 found, Vector3 explained, float least, float share) =>
             found.magnitude > least + share * explained.magnitude ? found : Vector3.zero;
 
-        FloatMotion MotionOf(in FloatSpace space) => new FloatMotion
+        private FloatMotion MotionOf(in FloatSpace space) => new FloatMotion
         {
             Pose = PoseOf(space, rigidbody.position, rigidbody.rotation),
-            Velocity = space.ToSimulation * rigidbody.GetPointVelocity(rigidbody.worldCenterOfMass), // its velocity is called otherwise in 2022.3 and 6000.0
+            // its velocity is called otherwise in 2022.3 and 6000.0
+            Velocity = space.ToSimulation * rigidbody.GetPointVelocity(rigidbody.worldCenterOfMass),
             AngularVelocity = space.ToSimulation * rigidbody.angularVelocity,
         };
 
-        FloatingPose PoseOf(in FloatSpace space, Vector3 position, Quaternion rotation) => new FloatingPose(
+        private FloatingPose PoseOf(in FloatSpace space, Vector3 position, Quaternion rotation) => new FloatingPose(
             space.ToSimulation * (position + rotation * rigidbody.centerOfMass - space.Position),
             space.ToSimulation * rotation * RigidbodyMass.Axes(rigidbody));
     }

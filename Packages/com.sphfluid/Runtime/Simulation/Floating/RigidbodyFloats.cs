@@ -4,18 +4,21 @@ using UnityEngine.SceneManagement;
 
 namespace SphFluid
 {
-    /// <summary>The Rigidbodies that a liquid moves: those in its domain that are not kinematic and have no collider that opts out.</summary>
+    /// <summary>
+    /// The Rigidbodies that a liquid moves: those in its domain that are not kinematic and have no collider that opts out.
+    /// </summary>
     internal sealed class RigidbodyFloats : IFloatingOwners, System.IDisposable
     {
-        readonly float reach;
-        readonly Dictionary<Rigidbody, RigidbodyFloat> floats = new Dictionary<Rigidbody, RigidbodyFloat>();
-        readonly List<RigidbodyFloat> ordered = new List<RigidbodyFloat>();
-        readonly List<Rigidbody> gone = new List<Rigidbody>();
-        readonly PhysicsClock clock = new PhysicsClock();
-        readonly FloatStacks stacks;
-        FloatSpace space;
-        float stepped, taken, behind; // time of the last frame with steps of physics, of this one's, and how much later than them it is now [s]
-        bool atAnyTime; // physics is stepped otherwise than once after each FixedUpdate
+        private readonly float reach;
+        private readonly Dictionary<Rigidbody, RigidbodyFloat> floats = new Dictionary<Rigidbody, RigidbodyFloat>();
+        private readonly List<RigidbodyFloat> ordered = new List<RigidbodyFloat>();
+        private readonly List<Rigidbody> gone = new List<Rigidbody>();
+        private readonly PhysicsClock clock = new PhysicsClock();
+        private readonly FloatStacks stacks;
+        private FloatSpace space;
+        // time of the last frame with steps of physics, of this one's, and how much later than them it is now [s]
+        private float stepped, taken, behind;
+        private bool atAnyTime; // physics is stepped otherwise than once after each FixedUpdate
 
         /// <param name="reach">Support radius [m].</param>
         public RigidbodyFloats(float reach)
@@ -122,7 +125,7 @@ namespace SphFluid
 
         public void Dispose() => clock.Dispose();
 
-        void Give(in FloatSpace now, float time)
+        private void Give(in FloatSpace now, float time)
         {
             foreach (KeyValuePair<Rigidbody, RigidbodyFloat> known in floats)
                 if (RigidbodyFloat.Moves(known.Key)) known.Value.Correct(now, time);
@@ -131,7 +134,7 @@ namespace SphFluid
                 if (RigidbodyFloat.Moves(known.Key)) known.Value.Give(now, time);
         }
 
-        void TakeSteps(Scene scene)
+        private void TakeSteps(Scene scene)
         {
             taken = clock.Advance(scene);
             if (taken > 0f) stepped = taken;
@@ -139,13 +142,13 @@ namespace SphFluid
             foreach (RigidbodyFloat known in ordered) known.Stepped(taken, true);
         }
 
-        string KeyOf(FloatingBody body)
+        private string KeyOf(FloatingBody body)
         {
             RigidbodyFloat known = ordered.Find(f => f.Body == body);
             return known == null || known.Rigidbody == null ? "" : ScenePath.GetPath(known.Rigidbody);
         }
 
-        void Leave()
+        private void Leave()
         {
             foreach (KeyValuePair<Rigidbody, RigidbodyFloat> known in floats)
                 if (known.Value.Colliders.Count == 0) gone.Add(known.Key);

@@ -12,7 +12,8 @@ namespace SphFluid
         public static FloatingMass Read(Rigidbody body, Quaternion toSimulation)
         {
             RigidbodyConstraints constraints = body.constraints;
-            var mass = new FloatingMass(body.mass, Moments(body, constraints), body.useGravity ? toSimulation * Physics.gravity : Vector3.zero);
+            var mass =
+                new FloatingMass(body.mass, Moments(body, constraints), body.useGravity ? toSimulation * Physics.gravity : Vector3.zero);
 #if UNITY_6000_0_OR_NEWER
             (mass.Damping, mass.AngularDamping) = (body.linearDamping, body.angularDamping);
 #else
@@ -38,7 +39,7 @@ namespace SphFluid
             (body.constraints & RigidbodyConstraints.FreezeRotation) == 0 ? body.inertiaTensorRotation : Quaternion.identity;
 
         // A frozen axis has no finite moment; the others have their own entry of the tensor, as where products of inertia are none.
-        static Vector3 Moments(Rigidbody body, RigidbodyConstraints constraints)
+        private static Vector3 Moments(Rigidbody body, RigidbodyConstraints constraints)
         {
             Vector3 principal = body.inertiaTensor;
             if ((constraints & RigidbodyConstraints.FreezeRotation) == 0) return principal;
@@ -50,7 +51,8 @@ namespace SphFluid
                 Vector3 direction = Vector3.zero;
                 direction[axis] = 1f;
                 direction = axes * direction;
-                moments[axis] = principal.x * direction.x * direction.x + principal.y * direction.y * direction.y + principal.z * direction.z * direction.z;
+                moments[axis] = principal.x * direction.x * direction.x + principal.y * direction.y * direction.y +
+                    principal.z * direction.z * direction.z;
             }
 
             return moments;

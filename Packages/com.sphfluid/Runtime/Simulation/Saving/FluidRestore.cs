@@ -6,7 +6,7 @@ namespace SphFluid
     /// <summary>Makes a running liquid of a save.</summary>
     internal static class FluidRestore
     {
-        const int MostNames = 3;
+        private const int MostNames = 3;
 
         /// <summary>Reads and checks a save and makes its liquid, beside the one that runs.</summary>
         /// <param name="asked">The simulation; where its method is chosen automatically, the save brings it.</param>
@@ -35,28 +35,36 @@ namespace SphFluid
             return null;
         }
 
-        static FluidMessage? Refusal(in FluidSpec spec, FluidSave save)
+        private static FluidMessage? Refusal(in FluidSpec spec, FluidSave save)
         {
-            if (save.Identity.Difference(SaveIdentity.Create(spec), out string cure) is string difference) return Refused(spec, difference, cure);
+            if (save.Identity.Difference(SaveIdentity.Create(spec), out string cure) is string difference)
+            {
+                return Refused(spec, difference, cure);
+            }
             long most = LiquidChecks.MostParticles(spec, out string reason);
             return save.Live.Length > most
-                ? Refused(spec, FormattableString.Invariant($"The save has {save.Live.Length} particles, but {reason}."), "Raise Max Particles of the profile.")
+                ? Refused(spec, FormattableString.Invariant($"The save has {save.Live.Length} particles, but {reason}."),
+                    "Raise Max Particles of the profile.")
                 : (FluidMessage?)null;
         }
 
-        static void ReportDifferences(in FluidSpec spec, FluidSave save, Action<FluidMessage> report)
+        private static void ReportDifferences(in FluidSpec spec, FluidSave save, Action<FluidMessage> report)
         {
             if (save.Device != FluidSave.PresentDevice)
+            {
                 report(new FluidMessage(FluidSeverity.Info, FluidIssue.SaveDiffers, spec.Owner,
-                    $"The save was made on {save.Device}; here the liquid goes on from it, but not to the last bit as it would have there.", ""));
+                    $"The save was made on {save.Device}; here the liquid goes on from it, but not to the last bit as it would have there.",
+                    ""));
+            }
             if (save.Missing.Count == 0) return;
             string names = string.Join("', '", System.Linq.Enumerable.Take(save.Missing, MostNames));
             report(new FluidMessage(FluidSeverity.Warning, FluidIssue.SaveDiffers, spec.Owner,
-                $"The save speaks of '{names}'{(save.Missing.Count > MostNames ? $" and {save.Missing.Count - MostNames} more" : "")}, which the liquid does not find in the scene: it goes on without.",
+                $"The save speaks of '{names}'{(save.Missing.Count > MostNames ? $" and {save.Missing.Count - MostNames} more" : "")}, " +
+                "which the liquid does not find in the scene: it goes on without.",
                 "Bring the scene's objects to where they were, under the same names, before the liquid is restored."));
         }
 
-        static FluidMessage Refused(in FluidSpec spec, string text, string cure) =>
+        private static FluidMessage Refused(in FluidSpec spec, string text, string cure) =>
             new FluidMessage(FluidSeverity.Error, FluidIssue.SaveInvalid, spec.Owner, text, cure);
     }
 }

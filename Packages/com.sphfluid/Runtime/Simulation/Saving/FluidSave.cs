@@ -4,16 +4,19 @@ using UnityEngine;
 
 namespace SphFluid
 {
-    /// <summary>A liquid as a save holds it, section by section: what it was made on, what it is, its particles, and what each part of a run goes on from.</summary>
+    /// <summary>
+    /// A liquid as a save holds it, section by section: what it was made on, what it is, its particles, and what each part of a run goes on
+    /// from.
+    /// </summary>
     internal sealed class FluidSave
     {
         public const string About = "ABOUT", Liquid = "LIQUID", Particles = "PARTICLE", Run = "RUN", Pace = "PACE", Flows = "FLOWS",
             Zones = "ZONES", Colliders = "COLLIDER", Floats = "FLOATS", Choice = "CHOICE";
 
-        readonly Dictionary<string, byte[]> sections;
-        readonly List<string> missing = new List<string>();
+        private readonly Dictionary<string, byte[]> sections;
+        private readonly List<string> missing = new List<string>();
 
-        FluidSave(Dictionary<string, byte[]> sections)
+        private FluidSave(Dictionary<string, byte[]> sections)
         {
             this.sections = sections;
             SaveReader about = Section(About);
@@ -21,7 +24,9 @@ namespace SphFluid
             SaveReader liquid = Section(Liquid);
             Identity = liquid.Read<SaveIdentity>();
             LiquidExtent extent = LiquidExtent.Load(liquid);
-            Start = new FluidStart(new List<FluidParticle>(), liquid.Read<long>(), extent, liquid.Read<float>()) { Gravity = liquid.Read<Vector3>() };
+            Start = new FluidStart(new List<FluidParticle>(), liquid.Read<long>(), extent,
+                liquid.Read<float>())
+            { Gravity = liquid.Read<Vector3>() };
             Progress = liquid.Read<SolverProgress>();
             Live = SavedParticles.Load(Section(Particles));
         }
@@ -71,9 +76,12 @@ namespace SphFluid
             return sections;
         }
 
-        /// <summary>The method that a simulation with the method Automatic goes on by: the one of the save, whatever would be picked now.</summary>
+        /// <summary>
+        /// The method that a simulation with the method Automatic goes on by: the one of the save, whatever would be picked now.
+        /// </summary>
         public FluidMethodChoice ChoiceFor(in FluidSpec spec) =>
-            Has(Choice) ? FluidMethodChoice.Load(spec.Automatic, Section(Choice)) : FluidMethodChoice.OfSave(spec, Identity.Method, Start.Count);
+            Has(Choice) ? FluidMethodChoice.Load(spec.Automatic, Section(Choice))
+                : FluidMethodChoice.OfSave(spec, Identity.Method, Start.Count);
 
         /// <summary>The sections as a run goes on from them.</summary>
         public static FluidSave From(List<(string name, SaveWriter contents)> sections)
@@ -84,7 +92,8 @@ namespace SphFluid
         }
 
         /// <summary>Reads a save.</summary>
-        /// <exception cref="InvalidDataException">It is none, or not whole; the message ends a sentence that begins with "the save".</exception>
+        /// <exception cref="InvalidDataException">It is none, or not whole; the message ends a sentence that begins with "the
+        /// save".</exception>
         public static FluidSave Read(Stream stream) => new FluidSave(SaveFile.Read(stream));
 
         /// <summary>Whether a part of a run is in it.</summary>

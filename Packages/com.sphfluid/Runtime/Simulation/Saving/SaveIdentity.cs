@@ -29,7 +29,8 @@ namespace SphFluid
         {
             (string setting, string saved, string present) =
                 Method != here.Method ? ("Method", $"{Method}", $"{here.Method}") :
-                !AffineMath.Same(DomainSize, here.DomainSize) ? ("Domain Size", FluidMessage.Lengths(DomainSize) + " m", FluidMessage.Lengths(here.DomainSize) + " m") :
+                !AffineMath.Same(DomainSize, here.DomainSize)
+                ? ("Domain Size", FluidMessage.Lengths(DomainSize) + " m", FluidMessage.Lengths(here.DomainSize) + " m") :
                 !Spacing.Equals(here.Spacing) ? ("Particle Spacing", Metres(Spacing), Metres(here.Spacing)) :
                 !SupportRatio.Equals(here.SupportRatio) ? ("the profile's Support Ratio", Number(SupportRatio), Number(here.SupportRatio)) :
                 Periodic != here.Periodic ? ("the periodic axes", $"{Periodic}", $"{here.Periodic}") : default;
@@ -37,8 +38,8 @@ namespace SphFluid
             return setting == null ? null : $"The save is of a liquid with {saved} for {setting}, and this simulation has {present}.";
         }
 
-        static string Metres(float value) => Number(value) + " m";
+        private static string Metres(float value) => Number(value) + " m";
 
-        static string Number(float value) => FormattableString.Invariant($"{value:R}");
+        private static string Number(float value) => FormattableString.Invariant($"{value:R}");
     }
 }

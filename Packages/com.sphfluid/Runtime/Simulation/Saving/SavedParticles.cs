@@ -33,9 +33,12 @@ namespace SphFluid
         public static FluidParticle[] Load(SaveReader reader)
         {
             uint[] ids = reader.ReadItems<uint>();
-            Vector3[] positions = reader.ReadItems<Vector3>(), velocities = reader.ReadItems<Vector3>(), others = reader.ReadItems<Vector3>();
+            Vector3[] positions = reader.ReadItems<Vector3>(), velocities = reader.ReadItems<Vector3>(),
+                others = reader.ReadItems<Vector3>();
             if (positions.Length != ids.Length || velocities.Length != ids.Length || others.Length != 0 && others.Length != ids.Length)
+            {
                 throw new InvalidDataException("its particles have not as many positions and velocities as numbers");
+            }
             var particles = new FluidParticle[ids.Length];
             for (int i = 0; i < ids.Length; i++)
             {

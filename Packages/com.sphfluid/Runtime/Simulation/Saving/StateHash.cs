@@ -4,11 +4,12 @@ using System.Runtime.InteropServices;
 namespace SphFluid
 {
     /// <summary>
-    /// FNV-1a with 64 bits (Fowler, Noll, Vo; the IETF draft draft-eastlake-fnv). Worked example: of the ASCII letter a it is 0xAF63DC4C8601EC8C.
+    /// FNV-1a with 64 bits (Fowler, Noll, Vo; the IETF draft draft-eastlake-fnv). Worked example: of the ASCII letter a it is
+    /// 0xAF63DC4C8601EC8C.
     /// </summary>
     internal static class StateHash
     {
-        const ulong Offset = 0xCBF29CE484222325ul, Prime = 0x100000001B3ul;
+        private const ulong Offset = 0xCBF29CE484222325ul, Prime = 0x100000001B3ul;
 
         /// <summary>The hash of items that follow others.</summary>
         public static ulong Compute<T>(ReadOnlySpan<T> items, ulong before = Offset) where T : unmanaged

@@ -7,21 +7,21 @@ namespace SphFluid
     internal sealed class BirthParticlesPass : ComputePass
     {
         // Over dx: nobody is born nearer to another.
-        const float FreeDistance = 0.9f;
+        private const float FreeDistance = 0.9f;
 
         // What goes before in a pipe is pushed back by the liquid outside.
-        const float PumpFreeDistance = 0.6f;
+        private const float PumpFreeDistance = 0.6f;
 
-        static readonly int Births = Id("_Births");
-        static readonly int SourceCounts = Id("_SourceCounts");
-        static readonly int BirthCount = Id("_BirthCount");
-        static readonly int RivalCount = Id("_RivalCount");
-        static readonly int SlotCount = Id("_SlotCount");
-        static readonly int FreeSquared = Id("_FreeSquared");
-        static readonly int PumpFreeSquared = Id("_PumpFreeSquared");
-        static readonly int SupportSquared = Id("_SupportSquared");
+        private static readonly int Births = Id("_Births");
+        private static readonly int SourceCounts = Id("_SourceCounts");
+        private static readonly int BirthCount = Id("_BirthCount");
+        private static readonly int RivalCount = Id("_RivalCount");
+        private static readonly int SlotCount = Id("_SlotCount");
+        private static readonly int FreeSquared = Id("_FreeSquared");
+        private static readonly int PumpFreeSquared = Id("_PumpFreeSquared");
+        private static readonly int SupportSquared = Id("_SupportSquared");
 
-        readonly ComputeKernel kernel;
+        private readonly ComputeKernel kernel;
 
         public BirthParticlesPass(FluidShaderSet shaders)
             : base(shaders, "BirthParticles")

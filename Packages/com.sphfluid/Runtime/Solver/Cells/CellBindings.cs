@@ -6,7 +6,7 @@ namespace SphFluid
     /// <summary>Records the globals that several kernels share, by the files of Shaders/Solver/Cells that declare them.</summary>
     internal static class CellBindings
     {
-        const string MeshWalls = "FLUID_MESH_WALLS", FloatingBodies = "FLUID_FLOATING_BODIES", Carries = "FLUID_CARRIES";
+        private const string MeshWalls = "FLUID_MESH_WALLS", FloatingBodies = "FLUID_FLOATING_BODIES", Carries = "FLUID_CARRIES";
 
         /// <summary>What a method takes along in the sort, to read and to write.</summary>
         public static readonly int Carried = Shader.PropertyToID("_Carried"), CarriedOut = Shader.PropertyToID("_CarriedOut");
@@ -15,26 +15,26 @@ namespace SphFluid
         public static readonly int KickStep = Shader.PropertyToID("_KickStep");
 
         // No particle comes nearer to a wall by its own speed, over dx; a settled liquid stays farther.
-        const float Shell = 0.25f;
+        private const float Shell = 0.25f;
 
-        static readonly int FaceDistance = Shader.PropertyToID("_FaceDistance");
-        static readonly int ShellDistance = Shader.PropertyToID("_ShellDistance");
-        static readonly int TimeStep = Shader.PropertyToID("_TimeStep");
-        static readonly int WallViscosity = Shader.PropertyToID("_WallViscosity");
-        static readonly int NoSlipViscosity = Shader.PropertyToID("_NoSlipViscosity");
-        static readonly int CellOrigin = Shader.PropertyToID("_CellOrigin");
-        static readonly int CellsPerMetre = Shader.PropertyToID("_CellsPerMetre");
-        static readonly int CellCounts = Shader.PropertyToID("_CellCounts");
-        static readonly int CellStart = Shader.PropertyToID("_CellStart");
-        static readonly int KeepsOrder = Shader.PropertyToID("_KeepsOrder");
-        static readonly int Drains = Shader.PropertyToID("_Drains");
-        static readonly int InverseSupport = Shader.PropertyToID("_InverseSupport");
-        static readonly int SupportRatio = Shader.PropertyToID("_SupportRatio");
-        static readonly int MirrorSpacing = Shader.PropertyToID("_MirrorSpacing");
-        static readonly int RestDensity = Shader.PropertyToID("_RestDensity");
+        private static readonly int FaceDistance = Shader.PropertyToID("_FaceDistance");
+        private static readonly int ShellDistance = Shader.PropertyToID("_ShellDistance");
+        private static readonly int TimeStep = Shader.PropertyToID("_TimeStep");
+        private static readonly int WallViscosity = Shader.PropertyToID("_WallViscosity");
+        private static readonly int NoSlipViscosity = Shader.PropertyToID("_NoSlipViscosity");
+        private static readonly int CellOrigin = Shader.PropertyToID("_CellOrigin");
+        private static readonly int CellsPerMetre = Shader.PropertyToID("_CellsPerMetre");
+        private static readonly int CellCounts = Shader.PropertyToID("_CellCounts");
+        private static readonly int CellStart = Shader.PropertyToID("_CellStart");
+        private static readonly int KeepsOrder = Shader.PropertyToID("_KeepsOrder");
+        private static readonly int Drains = Shader.PropertyToID("_Drains");
+        private static readonly int InverseSupport = Shader.PropertyToID("_InverseSupport");
+        private static readonly int SupportRatio = Shader.PropertyToID("_SupportRatio");
+        private static readonly int MirrorSpacing = Shader.PropertyToID("_MirrorSpacing");
+        private static readonly int RestDensity = Shader.PropertyToID("_RestDensity");
 
         // Copied when recorded, so one array serves; command buffers are recorded on the main thread.
-        [OutlivesPlay("it is filled anew for each use")] static readonly int[] Counts = new int[3];
+        [OutlivesPlay("it is filled anew for each use")] private static readonly int[] Counts = new int[3];
 
         /// <summary>CellRows.hlsl: the cells.</summary>
         public static void SetCells(CommandBuffer cmd, ComputeKernel kernel, in CellRows cells)

@@ -1,8 +1,9 @@
 namespace SphFluid
 {
     /// <summary>
-    /// Particles of methods with a counting sort: positions and velocities lie apart as float4 (a velocity's w is the id), once in the order of
-    /// the last sort and once as the step left them, in that order but at their new places. Steps that keep the order go on from there.
+    /// Particles of methods with a counting sort: positions and velocities lie apart as float4 (a velocity's w is the id), once in the
+    /// order of the last sort and once as the step left them, in that order but at their new places. Steps that keep the order go on from
+    /// there.
     /// </summary>
     internal sealed class CellBuffers : BufferSet
     {
@@ -15,7 +16,10 @@ namespace SphFluid
         /// <summary>Velocities with which the step begins [m/s]; w: the id's bits.</summary>
         public readonly FluidBuffer Velocities;
 
-        /// <summary>Positions after the step [m]; w: below zero of a particle that left, else what the method takes along: with Standard the density with which the step began.</summary>
+        /// <summary>
+        /// Positions after the step [m]; w: below zero of a particle that left, else what the method takes along: with Standard the density
+        /// with which the step began.
+        /// </summary>
         public readonly FluidBuffer NewPositions;
 
         /// <summary>Velocities after the step [m/s]; w: the id's bits.</summary>
@@ -24,7 +28,9 @@ namespace SphFluid
         /// <summary>ρ [kg/m³].</summary>
         public readonly FluidBuffer Densities;
 
-        /// <summary>Positions with which the step begins [m]; w: p/ρ², and what NewPositions has between the sort and the density.</summary>
+        /// <summary>
+        /// Positions with which the step begins [m]; w: p/ρ², and what NewPositions has between the sort and the density.
+        /// </summary>
         public readonly FluidBuffer PositionTerms;
 
         /// <summary>Place of each particle within its cell.</summary>
@@ -34,7 +40,8 @@ namespace SphFluid
         public readonly FluidBuffer Order;
 
         /// <summary>
-        /// Particles of each cell after the step, and those that left the domain in it; behind them <see cref="SumCount"/> sums of them for the scan.
+        /// Particles of each cell after the step, and those that left the domain in it; behind them <see cref="SumCount"/> sums of them for
+        /// the scan.
         /// </summary>
         public readonly FluidBuffer CellCount;
 

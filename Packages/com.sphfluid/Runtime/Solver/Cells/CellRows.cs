@@ -35,7 +35,8 @@ namespace SphFluid
             double total = (double)Counts.x * Counts.y * Counts.z;
             if (total > MaxCells)
             {
-                throw new ArgumentException($"The domain has {Counts.x} x {Counts.y} x {Counts.z} cells of {CellSize.x} m, {total:E1} in all; " +
+                throw new ArgumentException(
+                    $"The domain has {Counts.x} x {Counts.y} x {Counts.z} cells of {CellSize.x} m, {total:E1} in all; " +
                     $"a sort by cells holds {MaxCells:N0}. Use a smaller domain or a larger particle spacing.");
             }
         }

@@ -24,8 +24,8 @@ namespace SphFluid
         }
 
         /// <summary>
-        /// Below so many spacings from a mesh what a plane adds goes on with the slope that it has there: a film of one layer on a curved wall is else at the
-        /// border of what the time step bears.
+        /// Below so many spacings from a mesh what a plane adds goes on with the slope that it has there: a film of one layer on a curved
+        /// wall is else at the border of what the time step bears.
         /// </summary>
         public virtual float SteepestWall => 0.51f;
 
@@ -50,7 +50,9 @@ namespace SphFluid
         /// <inheritdoc/>
         public override bool ListsNeighbours => List != null && List.Length > 0;
 
-        /// <summary>Whether particles of a cell are ordered by their ids, so that equal runs are equal to the last bit; else by thread timing.</summary>
+        /// <summary>
+        /// Whether particles of a cell are ordered by their ids, so that equal runs are equal to the last bit; else by thread timing.
+        /// </summary>
         public abstract bool HasStableOrder { get; }
 
         /// <summary>Whether neighbours are to be listed where the device's buffers hold the lists.</summary>
@@ -114,14 +116,14 @@ namespace SphFluid
         }
 
         // 0: both passes over the neighbours search.
-        int ListLength(int capacity)
+        private int ListLength(int capacity)
         {
             int length = NeighbourList.LengthFor(Settings);
             return WantsLists && NeighbourList.Fits(capacity, length) ? length : 0;
         }
 
         // Too many cells are named before any buffer is made.
-        static FluidSolverSettings Countable(in FluidSolverSettings settings)
+        private static FluidSolverSettings Countable(in FluidSolverSettings settings)
         {
             _ = new CellRows(FluidGrid.For(settings));
             return settings;

@@ -2,18 +2,20 @@ using UnityEngine.Rendering;
 
 namespace SphFluid
 {
-    /// <summary>What steppers of methods with a counting sort share: loading, the sort, walls and contact, births and drains, and what readers see.</summary>
+    /// <summary>
+    /// What steppers of methods with a counting sort share: loading, the sort, walls and contact, births and drains, and what readers see.
+    /// </summary>
     internal abstract class CellStepper : IFluidStepper, IExchangingStepper
     {
-        readonly LoadParticlesPass loadParticles;
-        readonly ScanCellsPass scanCells;
-        readonly ScatterParticlesPass scatterParticles;
-        readonly FindContactsPass findContacts;
-        readonly ResolveContactsPass resolveContacts;
-        readonly PublishParticlesPass publishParticles;
-        DrainParticlesPass drainParticles;
-        BirthParticlesPass birthParticles;
-        GrowParticlesPass growParticles;
+        private readonly LoadParticlesPass loadParticles;
+        private readonly ScanCellsPass scanCells;
+        private readonly ScatterParticlesPass scatterParticles;
+        private readonly FindContactsPass findContacts;
+        private readonly ResolveContactsPass resolveContacts;
+        private readonly PublishParticlesPass publishParticles;
+        private DrainParticlesPass drainParticles;
+        private BirthParticlesPass birthParticles;
+        private GrowParticlesPass growParticles;
 
         protected CellStepper(FluidShaderSet shaders)
         {

@@ -21,9 +21,9 @@ namespace SphFluid
 
         // D dx² kick: a pair on its own loses its speed of approach at 0.52 dx within a step, and no more at any distance, as w r² is
         // largest there and 0.27 dx². So no step is too long for it.
-        const double MostDamping = 1.85;
+        private const double MostDamping = 1.85;
 
-        static readonly int Constants = Shader.PropertyToID("_ClosePairs");
+        private static readonly int Constants = Shader.PropertyToID("_ClosePairs");
 
         /// <summary>D [1/(m² s)].</summary>
         /// <param name="settings">The liquid's constants.</param>

@@ -5,10 +5,10 @@ namespace SphFluid
     /// <summary>Slows all particles behind a step, for liquids that are to come to rest.</summary>
     internal sealed class DampVelocitiesPass : ComputePass
     {
-        static readonly int ParticleCount = Id("_ParticleCount");
-        static readonly int Damping = Id("_Damping");
+        private static readonly int ParticleCount = Id("_ParticleCount");
+        private static readonly int Damping = Id("_Damping");
 
-        readonly ComputeKernel kernel;
+        private readonly ComputeKernel kernel;
 
         public DampVelocitiesPass(FluidShaderSet shaders)
             : base(shaders, "DampVelocities")

@@ -4,24 +4,27 @@ using UnityEngine.Rendering;
 
 namespace SphFluid
 {
-    /// <summary>Marks the particles that leave by drains, because their time is over, or because they are the oldest of a full liquid, before the motion of a step that sorts.</summary>
+    /// <summary>
+    /// Marks the particles that leave by drains, because their time is over, or because they are the oldest of a full liquid, before the
+    /// motion of a step that sorts.
+    /// </summary>
     internal sealed class DrainParticlesPass : ComputePass
     {
-        const int HighestDigit = 24;
-        const int DigitBits = 8;
+        private const int HighestDigit = 24;
+        private const int DigitBits = 8;
 
-        static readonly int DrainZones = Id("_DrainZones");
-        static readonly int SourceCounts = Id("_SourceCounts");
-        static readonly int AgeCounts = Id("_AgeCounts");
-        static readonly int DrainCount = Id("_DrainCount");
-        static readonly int NextId = Id("_NextId");
-        static readonly int BirthCount = Id("_BirthCount");
-        static readonly int MostParticles = Id("_MostParticles");
-        static readonly int RecycledCount = Id("_RecycledCount");
-        static readonly int DigitShift = Id("_DigitShift");
-        static readonly int Expired = Id("_Expired");
+        private static readonly int DrainZones = Id("_DrainZones");
+        private static readonly int SourceCounts = Id("_SourceCounts");
+        private static readonly int AgeCounts = Id("_AgeCounts");
+        private static readonly int DrainCount = Id("_DrainCount");
+        private static readonly int NextId = Id("_NextId");
+        private static readonly int BirthCount = Id("_BirthCount");
+        private static readonly int MostParticles = Id("_MostParticles");
+        private static readonly int RecycledCount = Id("_RecycledCount");
+        private static readonly int DigitShift = Id("_DigitShift");
+        private static readonly int Expired = Id("_Expired");
 
-        readonly ComputeKernel drain, count, choose, oldest;
+        private readonly ComputeKernel drain, count, choose, oldest;
 
         public DrainParticlesPass(FluidShaderSet shaders)
             : base(shaders, "DrainParticles")
@@ -53,7 +56,7 @@ namespace SphFluid
             }
         }
 
-        void RecordOldest(CommandBuffer cmd, CellState state, in DrainBatch drains)
+        private void RecordOldest(CommandBuffer cmd, CellState state, in DrainBatch drains)
         {
             int nextId = unchecked((int)drains.NextId);
             for (int shift = HighestDigit; shift >= 0; shift -= DigitBits)
@@ -81,7 +84,7 @@ namespace SphFluid
             oldest.DispatchThreads(cmd, state.ParticleCount);
         }
 
-        static void BindParticles(CommandBuffer cmd, ComputeKernel kernel, CellState state) =>
+        private static void BindParticles(CommandBuffer cmd, ComputeKernel kernel, CellState state) =>
             CellBindings.SetCells(cmd, kernel, state.Cells, state.Buffers.CellStart);
     }
 }

@@ -5,9 +5,9 @@ namespace SphFluid
     /// <summary>Proves every step free of every triangle and lists those that are not, for <see cref="ResolveContactsPass"/>.</summary>
     internal sealed class FindContactsPass : ComputePass
     {
-        static readonly int LongestDisplacement = Id("_LongestDisplacement");
+        private static readonly int LongestDisplacement = Id("_LongestDisplacement");
 
-        readonly ComputeKernel kernel;
+        private readonly ComputeKernel kernel;
 
         public FindContactsPass(FluidShaderSet shaders)
             : base(shaders, "FindContacts")

@@ -6,13 +6,13 @@ namespace SphFluid
     /// <summary>The walls of triangles near each particle, and how far it is free of triangles at rest.</summary>
     internal sealed class GatherWallsPass : ComputePass
     {
-        static readonly int TimeStep = Id("_TimeStep");
-        static readonly int GapScale = Id("_GapScale");
-        static readonly int IsKept = Id("_IsKept");
-        static readonly int FloatsHere = Id("_FloatsHere");
-        static readonly int SteepestWall = Id("_SteepestWall");
+        private static readonly int TimeStep = Id("_TimeStep");
+        private static readonly int GapScale = Id("_GapScale");
+        private static readonly int IsKept = Id("_IsKept");
+        private static readonly int FloatsHere = Id("_FloatsHere");
+        private static readonly int SteepestWall = Id("_SteepestWall");
 
-        readonly ComputeKernel kernel;
+        private readonly ComputeKernel kernel;
 
         public GatherWallsPass(FluidShaderSet shaders)
             : base(shaders, "GatherWalls")
@@ -27,7 +27,8 @@ namespace SphFluid
         /// <param name="isAtEnd">Whether the particles, and the walls that they feel, are where the step ends.</param>
         public void Record(CommandBuffer cmd, CellState state, FluidBuffer positions, bool isKept = false, bool isAtEnd = false)
         {
-            Vector3 step = isAtEnd ? new Vector3(state.BodyStep.y, state.BodyStep.x, -state.BodyStep.z) : state.BodyStep; // with time reversed
+            // with time reversed
+            Vector3 step = isAtEnd ? new Vector3(state.BodyStep.y, state.BodyStep.x, -state.BodyStep.z) : state.BodyStep;
             using (Sample(cmd))
             {
                 CellBindings.SetFaces(cmd, kernel, state.Settings);

@@ -6,9 +6,9 @@ namespace SphFluid
     /// <summary>Moves the particles into larger buffers, after the motion of a step that sorts.</summary>
     internal sealed class GrowParticlesPass : ComputePass
     {
-        static readonly int ParticleCount = Id("_ParticleCount");
+        private static readonly int ParticleCount = Id("_ParticleCount");
 
-        readonly ComputeKernel kernel;
+        private readonly ComputeKernel kernel;
 
         public GrowParticlesPass(FluidShaderSet shaders)
             : base(shaders, "GrowParticles")

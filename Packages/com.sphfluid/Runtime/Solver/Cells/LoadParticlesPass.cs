@@ -5,10 +5,10 @@ namespace SphFluid
     /// <summary>Takes particles that came from outside and counts them in cells; later steps count in their last pass.</summary>
     internal sealed class LoadParticlesPass : ComputePass
     {
-        static readonly int CellTotal = Id("_CellTotal");
-        static readonly int ParticleCount = Id("_ParticleCount");
+        private static readonly int CellTotal = Id("_CellTotal");
+        private static readonly int ParticleCount = Id("_ParticleCount");
 
-        readonly ComputeKernel clear, load;
+        private readonly ComputeKernel clear, load;
 
         public LoadParticlesPass(FluidShaderSet shaders)
             : base(shaders, "LoadParticles")

@@ -7,10 +7,10 @@ namespace SphFluid
     /// <summary>The globals of contact with triangles: Shaders/Solver/Cells/TriangleSweep.hlsl, and of both passes over a step.</summary>
     internal static class MeshContact
     {
-        static readonly int ContactDistance = Shader.PropertyToID("_ContactDistance");
-        static readonly int SweepDistance = Shader.PropertyToID("_SweepDistance");
-        static readonly int ContactFloor = Shader.PropertyToID("_ContactFloor");
-        static readonly int ContactTolerance = Shader.PropertyToID("_ContactTolerance");
+        private static readonly int ContactDistance = Shader.PropertyToID("_ContactDistance");
+        private static readonly int SweepDistance = Shader.PropertyToID("_SweepDistance");
+        private static readonly int ContactFloor = Shader.PropertyToID("_ContactFloor");
+        private static readonly int ContactTolerance = Shader.PropertyToID("_ContactTolerance");
 
         public static void Set(CommandBuffer cmd, ComputeKernel kernel, in FluidSolverSettings settings)
         {
@@ -34,6 +34,6 @@ namespace SphFluid
         }
 
         // Spacing of floats at a number: 9.5e-7 at 15.
-        static float Ulp(float value) => (float)Math.Pow(2.0, Math.Floor(Math.Log(value, 2.0)) - 23.0);
+        private static float Ulp(float value) => (float)Math.Pow(2.0, Math.Floor(Math.Log(value, 2.0)) - 23.0);
     }
 }

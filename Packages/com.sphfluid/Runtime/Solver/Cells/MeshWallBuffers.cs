@@ -17,7 +17,9 @@ namespace SphFluid
         /// <summary>Numbers of the bodies that the liquid moves, of each particle's planes.</summary>
         public readonly FluidBuffer WallBodies;
 
-        /// <summary>Where each particle gathered its walls, and how near to there surely no triangle at rest is [m], 0 where that is not known.</summary>
+        /// <summary>
+        /// Where each particle gathered its walls, and how near to there surely no triangle at rest is [m], 0 where that is not known.
+        /// </summary>
         public readonly FluidBuffer WallGap;
 
         /// <summary>Particles whose step is not free.</summary>

@@ -6,13 +6,13 @@ namespace SphFluid
     /// <summary>The rigid bodies that the liquid moves: where they are at a step's start, and what the step makes of them.</summary>
     internal sealed class MoveBodiesPass : ComputePass
     {
-        static readonly int Moves = Id("_Moves");
-        static readonly int Begins = Id("_Begins");
-        static readonly int TimeStep = Id("_TimeStep");
-        static readonly int KickStep = Id("_KickStep");
-        static readonly int PushPart = Id("_PushPart");
+        private static readonly int Moves = Id("_Moves");
+        private static readonly int Begins = Id("_Begins");
+        private static readonly int TimeStep = Id("_TimeStep");
+        private static readonly int KickStep = Id("_KickStep");
+        private static readonly int PushPart = Id("_PushPart");
 
-        readonly ComputeKernel kernel, join;
+        private readonly ComputeKernel kernel, join;
 
         public MoveBodiesPass(FluidShaderSet shaders)
             : base(shaders, "MoveBodies")
@@ -33,7 +33,7 @@ namespace SphFluid
         public void Record(CommandBuffer cmd, CellState state, in FluidStep step) =>
             Record(cmd, state, true, false, step.IsFirst ? 0.5f * step.Length : step.Kick);
 
-        void Record(CommandBuffer cmd, CellState state, bool moves, bool begins, float kick)
+        private void Record(CommandBuffer cmd, CellState state, bool moves, bool begins, float kick)
         {
             using (Sample(cmd))
             {
@@ -45,7 +45,7 @@ namespace SphFluid
             }
         }
 
-        static void Dispatch(CommandBuffer cmd, CellState state, ComputeKernel kernel, float kick)
+        private static void Dispatch(CommandBuffer cmd, CellState state, ComputeKernel kernel, float kick)
         {
             Vector3 step = state.BodyStep;
             kernel.SetFloat(cmd, TimeStep, step.z);

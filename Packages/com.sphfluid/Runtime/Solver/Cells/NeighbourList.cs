@@ -6,24 +6,25 @@ namespace SphFluid
 {
     /// <summary>
     /// Neighbours that a step's density pass finds, kept for its motion pass and for later steps (Shaders/Solver/Cells/NeighbourList.hlsl):
-    /// they look at neighbours only, not at all particles of the cells around. Whoever has more than the list holds searches the cells again.
+    /// they look at neighbours only, not at all particles of the cells around. Whoever has more than the list holds searches the cells
+    /// again.
     /// </summary>
     internal sealed class NeighbourList : BufferSet
     {
         // LIST_LANES in Shaders/Solver/Cells/NeighbourList.hlsl.
-        const int Lanes = 32;
+        private const int Lanes = 32;
 
         // Entries over a full lattice's neighbours, for compression and clumps.
-        const double Reserve = 1.5;
+        private const double Reserve = 1.5;
 
         // Of a full lattice's neighbours: whoever has fewer stands at a surface.
-        const double Surface = 0.75;
+        private const double Surface = 0.75;
 
-        static readonly int ListLength = Shader.PropertyToID("_ListLength");
-        static readonly int InverseSupport = Shader.PropertyToID("_InverseSupport");
-        static readonly int SupportSquared = Shader.PropertyToID("_SupportSquared");
-        static readonly int Ahead = Shader.PropertyToID("_Ahead");
-        static readonly int FewNeighbours = Shader.PropertyToID("_FewNeighbours");
+        private static readonly int ListLength = Shader.PropertyToID("_ListLength");
+        private static readonly int InverseSupport = Shader.PropertyToID("_InverseSupport");
+        private static readonly int SupportSquared = Shader.PropertyToID("_SupportSquared");
+        private static readonly int Ahead = Shader.PropertyToID("_Ahead");
+        private static readonly int FewNeighbours = Shader.PropertyToID("_FewNeighbours");
 
         /// <summary>Indices, 32 particles side by side; ListPlace in the shader.</summary>
         public readonly FluidBuffer Neighbours;
@@ -45,12 +46,15 @@ namespace SphFluid
         /// <summary>Most neighbours of a particle that are listed.</summary>
         public int Length { get; }
 
-        /// <summary>Entries a particle by κ = R/dx: 4π κ³/3 neighbours on a lattice, and half as many again, even. 52, 72, 100 for κ = 2, 2.25, 2.5.</summary>
+        /// <summary>
+        /// Entries a particle by κ = R/dx: 4π κ³/3 neighbours on a lattice, and half as many again, even. 52, 72, 100 for κ = 2, 2.25, 2.5.
+        /// </summary>
         public static int LengthFor(in FluidSolverSettings settings) =>
             2 * (int)Math.Ceiling(Reserve / 2.0 * Expected(settings));
 
         /// <summary>Whether one buffer of the device holds the list; a step does without where it does not.</summary>
-        public static bool Fits(int particleCount, int length) => EntryCount(particleCount, length) * sizeof(uint) <= SystemInfo.maxGraphicsBufferSize;
+        public static bool Fits(int particleCount, int length) =>
+            EntryCount(particleCount, length) * sizeof(uint) <= SystemInfo.maxGraphicsBufferSize;
 
         /// <summary>Records the list for the kernel that fills it.</summary>
         public void SetOut(CommandBuffer cmd, ComputeKernel kernel)
@@ -68,7 +72,9 @@ namespace SphFluid
             kernel.Set(cmd, Counts);
         }
 
-        /// <summary>Records ScatterParticles.compute for the sort: which particles are at a surface, and how long the lists must last.</summary>
+        /// <summary>
+        /// Records ScatterParticles.compute for the sort: which particles are at a surface, and how long the lists must last.
+        /// </summary>
         public void SetMeeting(CommandBuffer cmd, ComputeKernel kernel, CellState state)
         {
             FluidSolverSettings settings = state.Settings;
@@ -79,9 +85,9 @@ namespace SphFluid
             kernel.Set(cmd, Counts);
         }
 
-        static double Expected(in FluidSolverSettings settings) =>
+        private static double Expected(in FluidSolverSettings settings) =>
             4.0 / 3.0 * Math.PI * Math.Pow(settings.SupportRadius / (double)settings.Spacing, 3.0);
 
-        static long EntryCount(int particleCount, int length) => ((long)particleCount + Lanes - 1) / Lanes * Lanes * length;
+        private static long EntryCount(int particleCount, int length) => ((long)particleCount + Lanes - 1) / Lanes * Lanes * length;
     }
 }

@@ -5,9 +5,9 @@ namespace SphFluid
     /// <summary>Gives the liquid the form that drawing and measurements read, once a frame.</summary>
     internal sealed class PublishParticlesPass : ComputePass
     {
-        static readonly int ParticleCount = Id("_ParticleCount");
+        private static readonly int ParticleCount = Id("_ParticleCount");
 
-        readonly ComputeKernel particles, ranges;
+        private readonly ComputeKernel particles, ranges;
 
         public PublishParticlesPass(FluidShaderSet shaders)
             : base(shaders, "PublishParticles")

@@ -2,12 +2,14 @@ using UnityEngine.Rendering;
 
 namespace SphFluid
 {
-    /// <summary>Changes the steps that are not free of triangles; as many groups as <see cref="FindContactsPass"/> found work for.</summary>
+    /// <summary>
+    /// Changes the steps that are not free of triangles; as many groups as <see cref="FindContactsPass"/> found work for.
+    /// </summary>
     internal sealed class ResolveContactsPass : ComputePass
     {
-        static readonly int TimeStep = Id("_TimeStep");
+        private static readonly int TimeStep = Id("_TimeStep");
 
-        readonly ComputeKernel kernel;
+        private readonly ComputeKernel kernel;
 
         public ResolveContactsPass(FluidShaderSet shaders)
             : base(shaders, "ResolveContacts")

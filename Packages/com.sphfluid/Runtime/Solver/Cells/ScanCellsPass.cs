@@ -5,9 +5,9 @@ namespace SphFluid
     /// <summary>First particle of each cell: an exclusive scan of the cells' counts, whose sums are there.</summary>
     internal sealed class ScanCellsPass : ComputePass
     {
-        static readonly int CellTotal = Id("_CellTotal");
+        private static readonly int CellTotal = Id("_CellTotal");
 
-        readonly ComputeKernel kernel;
+        private readonly ComputeKernel kernel;
 
         public ScanCellsPass(FluidShaderSet shaders)
             : base(shaders, "ScanCells")

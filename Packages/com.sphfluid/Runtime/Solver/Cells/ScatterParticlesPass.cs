@@ -6,9 +6,9 @@ namespace SphFluid
     /// <summary>Particles in the order of their cells: one dispatch, or two for an order without chance.</summary>
     internal sealed class ScatterParticlesPass : ComputePass
     {
-        static readonly int SumCount = Id("_SumCount");
+        private static readonly int SumCount = Id("_SumCount");
 
-        readonly ComputeKernel scatter, scatterOrder, reorder;
+        private readonly ComputeKernel scatter, scatterOrder, reorder;
 
         public ScatterParticlesPass(FluidShaderSet shaders)
             : base(shaders, "ScatterParticles")
@@ -43,7 +43,7 @@ namespace SphFluid
             }
         }
 
-        static void Bind(CommandBuffer cmd, ComputeKernel kernel, CellState state)
+        private static void Bind(CommandBuffer cmd, ComputeKernel kernel, CellState state)
         {
             CellBindings.SetCells(cmd, kernel, state.Cells, state.Buffers.CellStart);
             kernel.Set(cmd, state.Buffers.NewPositions);
@@ -51,14 +51,14 @@ namespace SphFluid
         }
 
         // A thread a particle, which clears one of the scan's sums as well.
-        static void DispatchAndClear(CommandBuffer cmd, ComputeKernel kernel, CellState state)
+        private static void DispatchAndClear(CommandBuffer cmd, ComputeKernel kernel, CellState state)
         {
             kernel.SetInt(cmd, SumCount, state.Buffers.SumCount);
             kernel.Set(cmd, state.Buffers.CellCount);
             kernel.DispatchThreads(cmd, Math.Max(state.ParticleCount, state.Buffers.SumCount));
         }
 
-        static void BindTarget(CommandBuffer cmd, ComputeKernel kernel, CellState state)
+        private static void BindTarget(CommandBuffer cmd, ComputeKernel kernel, CellState state)
         {
             state.List.SetMeeting(cmd, kernel, state);
             if (CellBindings.SetCarries(cmd, kernel, state))

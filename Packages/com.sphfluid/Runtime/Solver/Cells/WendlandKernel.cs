@@ -18,7 +18,9 @@ namespace SphFluid
             return Factor(1.0) * u * u * u * u * (4.0 * q + 1.0);
         }
 
-        /// <summary>S = Σ W dx³ over the simple cubic lattice, the particle itself included; 1.0338, 1.0230, 1.0134 for κ = 2, 2.25, 2.5.</summary>
+        /// <summary>
+        /// S = Σ W dx³ over the simple cubic lattice, the particle itself included; 1.0338, 1.0230, 1.0134 for κ = 2, 2.25, 2.5.
+        /// </summary>
         /// <param name="ratio">κ = R/dx.</param>
         public static double LatticeSum(double ratio) => OverLattice(ratio, Shape);
 
@@ -30,8 +32,8 @@ namespace SphFluid
         public static double LatticeMoment(double ratio) => OverLattice(ratio, Stretch) / LatticeSum(ratio);
 
         /// <summary>
-        /// R² Σ 2 (−W'/r) dx³ / (S M) over the same lattice, the particle itself left out: what viscosity takes of the velocity of a particle
-        /// among others at rest, over ν/R²; 18.2, 20.6, 22.6 for κ = 2, 2.25, 2.5.
+        /// R² Σ 2 (−W'/r) dx³ / (S M) over the same lattice, the particle itself left out: what viscosity takes of the velocity of a
+        /// particle among others at rest, over ν/R²; 18.2, 20.6, 22.6 for κ = 2, 2.25, 2.5.
         /// </summary>
         /// <param name="ratio">κ = R/dx.</param>
         public static double LatticeViscosity(double ratio)
@@ -41,35 +43,36 @@ namespace SphFluid
         }
 
         // (−W'/r) R⁵.
-        static double Slope(double q)
+        private static double Slope(double q)
         {
             double u = Math.Max(0.0, 1.0 - q);
             return SlopeFactor(1.0) * u * u * u;
         }
 
         /// <summary>
-        /// Σ |dx ∇W dx³|² / S² over the same lattice: what the other particles' gradients add to the stiffness of a density constraint, times dx²;
-        /// 0.445, 0.312, 0.211 for κ = 2, 2.25, 2.5.
+        /// Σ |dx ∇W dx³|² / S² over the same lattice: what the other particles' gradients add to the stiffness of a density constraint,
+        /// times dx²; 0.445, 0.312, 0.211 for κ = 2, 2.25, 2.5.
         /// </summary>
         /// <param name="ratio">κ = R/dx.</param>
-        public static double LatticeSquares(double ratio) => OverLattice(ratio, Square) / (Math.Pow(ratio, 5.0) * Math.Pow(LatticeSum(ratio), 2.0));
+        public static double LatticeSquares(double ratio) =>
+            OverLattice(ratio, Square) / (Math.Pow(ratio, 5.0) * Math.Pow(LatticeSum(ratio), 2.0));
 
         // |∇W|² R⁸.
-        static double Square(double q)
+        private static double Square(double q)
         {
             double u = Math.Max(0.0, 1.0 - q);
             return Math.Pow(SlopeFactor(1.0) * q * u * u * u, 2.0);
         }
 
         // x² (−W'/r) R³ in the mean over directions.
-        static double Stretch(double q)
+        private static double Stretch(double q)
         {
             double u = Math.Max(0.0, 1.0 - q);
             return SlopeFactor(1.0) / 3.0 * q * q * u * u * u;
         }
 
         // Sum over the points within R, each with dx³/R³, from one octant: points off a plane of it count twice.
-        static double OverLattice(double ratio, Func<double, double> function)
+        private static double OverLattice(double ratio, Func<double, double> function)
         {
             Require.SupportRatio(ratio);
             int reach = (int)Math.Floor(ratio);

@@ -4,16 +4,16 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>
-    /// Particles that wait for their birth, each with a time. A step that sorts takes those whose time has come, where they would be if they
-    /// had fallen freely since: a layer of an emitter keeps its distance from the one before, wherever in the frame the steps end.
+    /// Particles that wait for their birth, each with a time. A step that sorts takes those whose time has come, where they would be if
+    /// they had fallen freely since: a layer of an emitter keeps its distance from the one before, wherever in the frame the steps end.
     /// </summary>
     internal sealed class BirthQueue
     {
         // Births of several sources are compared with each other: more of them wait for the next sort.
-        const int MostRivals = 4096;
+        private const int MostRivals = 4096;
 
-        ParticleBirth[] waiting = new ParticleBirth[64], due = new ParticleBirth[64];
-        double[] times = new double[64];
+        private ParticleBirth[] waiting = new ParticleBirth[64], due = new ParticleBirth[64];
+        private double[] times = new double[64];
 
         /// <summary>A queue behind particles with ids.</summary>
         /// <param name="nextId">Id of the first.</param>
@@ -50,7 +50,11 @@ namespace SphFluid
                 Array.Resize(ref waiting, Math.Max(64, 2 * Waiting));
                 Array.Resize(ref times, Math.Max(64, 2 * Waiting));
             }
-            waiting[Waiting] = new ParticleBirth { Position = position, Velocity = velocity, Id = NextId, Source = (uint)source | (pumps ? ParticleBirth.Pumps : 0u) };
+            waiting[Waiting] = new ParticleBirth
+            {
+                Position = position, Velocity = velocity, Id = NextId,
+                Source = (uint)source | (pumps ? ParticleBirth.Pumps : 0u)
+            };
             times[Waiting] = time;
             Waiting++;
             NextId = unchecked(NextId + 1u);
@@ -114,7 +118,7 @@ namespace SphFluid
             Waiting = waiting.Length;
         }
 
-        void Keep(int from, int to)
+        private void Keep(int from, int to)
         {
             waiting[to] = waiting[from];
             times[to] = times[from];

@@ -3,17 +3,19 @@ using UnityEngine;
 
 namespace SphFluid
 {
-    /// <summary>A place where liquid leaves, as the GPU reads it: 64 bytes, <c>struct Drain</c> in Shaders/Solver/Cells/DrainParticles.compute.</summary>
+    /// <summary>
+    /// A place where liquid leaves, as the GPU reads it: 64 bytes, <c>struct Drain</c> in Shaders/Solver/Cells/DrainParticles.compute.
+    /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     internal struct DrainZone
     {
         public const int Stride = 64;
 
-        Vector4 row0, row1, row2;
-        float length;
-        uint isBox;
-        uint count;
-        uint pad;
+        private Vector4 row0, row1, row2;
+        private float length;
+        private uint isBox;
+        private uint count;
+        private uint pad;
 
         /// <summary>The image of the cube from −1 to 1.</summary>
         /// <param name="cube">Maps the cube to simulation space [m].</param>
@@ -24,7 +26,7 @@ namespace SphFluid
         /// <param name="length">Half the distance of the centres of its ends, over its radius.</param>
         public static DrainZone Capsule(in Matrix4x4 capsule, float length) => new DrainZone(capsule, length, false);
 
-        DrainZone(in Matrix4x4 frame, float length, bool isBox)
+        private DrainZone(in Matrix4x4 frame, float length, bool isBox)
         {
             bool exists = AffineMath.TryInvert(frame, out Matrix4x4 inverse);
             row0 = exists ? inverse.GetRow(0) : new Vector4(0f, 0f, 0f, 2f); // nobody is inside one without volume
@@ -63,7 +65,9 @@ namespace SphFluid
         /// <summary>Number of drains.</summary>
         public int Count;
 
-        /// <summary>Whether the oldest leave where the liquid would have more than <see cref="MostParticles"/> with <see cref="Births"/>.</summary>
+        /// <summary>
+        /// Whether the oldest leave where the liquid would have more than <see cref="MostParticles"/> with <see cref="Births"/>.
+        /// </summary>
         public bool Recycles;
 
         public int Births, MostParticles;

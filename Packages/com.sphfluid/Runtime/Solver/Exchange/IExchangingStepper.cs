@@ -6,7 +6,8 @@ namespace SphFluid
     internal interface IExchangingStepper
     {
         /// <summary>Makes slots for more particles.</summary>
-        /// <param name="cmd">Command buffer, after the motion of a step that does not keep the order; null where particles are loaded next.</param>
+        /// <param name="cmd">Command buffer, after the motion of a step that does not keep the order; null where particles are loaded
+        /// next.</param>
         /// <param name="capacity">Number of slots.</param>
         void Reserve(CommandBuffer cmd, int capacity);
 

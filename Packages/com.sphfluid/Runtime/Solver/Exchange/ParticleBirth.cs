@@ -3,7 +3,9 @@ using UnityEngine;
 
 namespace SphFluid
 {
-    /// <summary>A particle that is to be born, as the GPU reads it: 32 bytes, <c>struct Birth</c> in Shaders/Solver/Cells/BirthParticles.compute.</summary>
+    /// <summary>
+    /// A particle that is to be born, as the GPU reads it: 32 bytes, <c>struct Birth</c> in Shaders/Solver/Cells/BirthParticles.compute.
+    /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     internal struct ParticleBirth
     {

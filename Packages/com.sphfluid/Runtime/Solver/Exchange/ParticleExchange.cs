@@ -6,8 +6,8 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>
-    /// Particles that come and go while a liquid runs. The GPU knows how many live; the CPU knows a number that they cannot exceed, by which it
-    /// dispatches and makes slots, so that nothing waits and nothing but the GPU's own count decides what is born.
+    /// Particles that come and go while a liquid runs. The GPU knows how many live; the CPU knows a number that they cannot exceed, by
+    /// which it dispatches and makes slots, so that nothing waits and nothing but the GPU's own count decides what is born.
     /// </summary>
     internal sealed class ParticleExchange : IDisposable
     {
@@ -15,14 +15,14 @@ namespace SphFluid
         public const int MostDrains = 64;
 
         // Bins of the ages, and what the search keeps behind them.
-        const int AgeNumbers = 258;
+        private const int AgeNumbers = 258;
 
-        readonly FluidState state;
-        readonly IExchangingStepper stepper;
-        readonly DrainZone[] zones = new DrainZone[MostDrains];
-        GraphicsBuffer zoneBuffer, ageBuffer, birthBuffer, expiredBuffer;
-        int drains, due, expired, ceiling;
-        bool zonesChanged;
+        private readonly FluidState state;
+        private readonly IExchangingStepper stepper;
+        private readonly DrainZone[] zones = new DrainZone[MostDrains];
+        private GraphicsBuffer zoneBuffer, ageBuffer, birthBuffer, expiredBuffer;
+        private int drains, due, expired, ceiling;
+        private bool zonesChanged;
 
         /// <param name="state">The liquid's buffers.</param>
         /// <param name="stepper">What steps it.</param>
@@ -63,7 +63,9 @@ namespace SphFluid
         public void SetDrains(IReadOnlyList<(DrainZone zone, int source)> list)
         {
             if (list.Count > MostDrains)
+            {
                 throw new ArgumentException($"A liquid has {MostDrains} drains at most, and {list.Count} are given.", nameof(list));
+            }
             drains = list.Count;
             for (int i = 0; i < drains; i++) zones[i] = list[i].zone.CountedAt(SourceCounts.Place(list[i].source));
             zonesChanged = true;
@@ -102,9 +104,13 @@ namespace SphFluid
             if (due == 0) return;
             long most = (long)MostParticles + (Recycles ? due : 0);
             long needed = Math.Min((long)state.ParticleCount + due, most);
-            if (needed > state.Capacity) stepper.Reserve(cmd, (int)Math.Min(Math.Max(2L * state.Capacity, needed), Math.Min(most, int.MaxValue)));
+            if (needed > state.Capacity)
+            {
+                stepper.Reserve(cmd, (int)Math.Min(Math.Max(2L * state.Capacity, needed), Math.Min(most, int.MaxValue)));
+            }
             Upload(cmd, ref birthBuffer, "Fluid Births", Births.Due, due, ParticleBirth.Stride);
-            stepper.RecordBirths(cmd, new BirthBatch(birthBuffer, Counts.Buffer, due, (int)Math.Min(state.Capacity, most), Births.HasRivals));
+            stepper.RecordBirths(cmd,
+                new BirthBatch(birthBuffer, Counts.Buffer, due, (int)Math.Min(state.Capacity, most), Births.HasRivals));
             state.ParticleCount = (int)Math.Min((long)state.ParticleCount + due, state.Capacity);
             due = 0;
         }
@@ -135,9 +141,12 @@ namespace SphFluid
             GpuBuffers.Dispose(ref expiredBuffer);
         }
 
-        DrainBatch Drains(CommandBuffer cmd, bool recycles)
+        private DrainBatch Drains(CommandBuffer cmd, bool recycles)
         {
-            if (zonesChanged || zoneBuffer == null) Upload(cmd, ref zoneBuffer, "Fluid Drains", zones, Math.Max(1, drains), DrainZone.Stride);
+            if (zonesChanged || zoneBuffer == null)
+            {
+                Upload(cmd, ref zoneBuffer, "Fluid Drains", zones, Math.Max(1, drains), DrainZone.Stride);
+            }
             zonesChanged = false;
             Upload(cmd, ref expiredBuffer, "Fluid Expired", Lifetimes.Due, 1 + expired, IdRange.Stride);
             if (recycles && ageBuffer == null)
@@ -161,7 +170,7 @@ namespace SphFluid
         }
 
         // What the command buffer recorded before still uses a buffer that is replaced.
-        void Upload(CommandBuffer cmd, ref GraphicsBuffer buffer, string name, Array items, int count, int stride)
+        private void Upload(CommandBuffer cmd, ref GraphicsBuffer buffer, string name, Array items, int count, int stride)
         {
             if (buffer == null || buffer.count < count)
             {

@@ -4,18 +4,18 @@ using System.Runtime.InteropServices;
 namespace SphFluid
 {
     /// <summary>
-    /// When particles leave again. A layer of an emitter has ids that follow each other, so a range of ids and a time stand for all of it, whatever other
-    /// emitters give meanwhile; a particle itself carries no time.
+    /// When particles leave again. A layer of an emitter has ids that follow each other, so a range of ids and a time stand for all of it,
+    /// whatever other emitters give meanwhile; a particle itself carries no time.
     /// </summary>
     internal sealed class ParticleLifetimes
     {
         /// <summary>Most ranges that one sort takes; others wait for the next.</summary>
         public const int MostDue = 64;
 
-        readonly IdRange[] due = new IdRange[1 + MostDue];
-        IdRange[] ranges = new IdRange[64];
-        double[] ends = new double[64];
-        double earliest = double.PositiveInfinity;
+        private readonly IdRange[] due = new IdRange[1 + MostDue];
+        private IdRange[] ranges = new IdRange[64];
+        private double[] ends = new double[64];
+        private double earliest = double.PositiveInfinity;
 
         /// <summary>Ranges that wait for their time.</summary>
         public int Waiting { get; private set; }

@@ -21,13 +21,13 @@ namespace SphFluid
         public const int Removed = 2;
 
         // Born, blocked, refused; of a drain what left, 0, 0.
-        const int Kinds = 3;
+        private const int Kinds = 3;
 
-        readonly long[] totals = new long[Kinds * Most];
-        readonly uint[] last = new uint[Kinds * Most];
-        readonly Queue<int> free = new Queue<int>();
-        readonly NumberReadback readback;
-        GraphicsBuffer buffer;
+        private readonly long[] totals = new long[Kinds * Most];
+        private readonly uint[] last = new uint[Kinds * Most];
+        private readonly Queue<int> free = new Queue<int>();
+        private readonly NumberReadback readback;
+        private GraphicsBuffer buffer;
 
         public SourceCounts()
         {
@@ -43,7 +43,10 @@ namespace SphFluid
         /// <summary>Place of a source's first count.</summary>
         public static int Place(int source) => Kinds * source;
 
-        /// <summary>Takes a number for a source. Numbers of sources that went are used again as late as possible, when all that they had under way is counted.</summary>
+        /// <summary>
+        /// Takes a number for a source. Numbers of sources that went are used again as late as possible, when all that they had under way
+        /// is counted.
+        /// </summary>
         /// <returns>False when all are in use.</returns>
         public bool TryOpen(out int source)
         {
@@ -95,7 +98,7 @@ namespace SphFluid
         }
 
         // The GPU counts modulo 2^32; a read-back older than one that was waited for adds nothing.
-        void Receive(uint[] values)
+        private void Receive(uint[] values)
         {
             for (int i = 0; i < values.Length; i++)
             {

@@ -5,16 +5,16 @@ namespace SphFluid
     /// <summary>How far the density of each particle is from what it may be, and what that changes of its multiplier.</summary>
     internal sealed class ConstrainDensityPass : ComputePass
     {
-        static readonly int DensityFactor = Id("_DensityFactor");
-        static readonly int InverseMoment = Id("_InverseMoment");
-        static readonly int Relaxation = Id("_Relaxation");
-        static readonly int Compliance = Id("_Compliance");
-        static readonly int SupportSquared = Id("_SupportSquared");
-        static readonly int Ahead = Id("_Ahead");
-        static readonly int Places = Id("_Places");
-        static readonly int HasPressures = Id("_HasPressures");
+        private static readonly int DensityFactor = Id("_DensityFactor");
+        private static readonly int InverseMoment = Id("_InverseMoment");
+        private static readonly int Relaxation = Id("_Relaxation");
+        private static readonly int Compliance = Id("_Compliance");
+        private static readonly int SupportSquared = Id("_SupportSquared");
+        private static readonly int Ahead = Id("_Ahead");
+        private static readonly int Places = Id("_Places");
+        private static readonly int HasPressures = Id("_HasPressures");
 
-        readonly ComputeKernel search, listed, measure;
+        private readonly ComputeKernel search, listed, measure;
 
         public ConstrainDensityPass(FluidShaderSet shaders)
             : base(shaders, "ConstrainDensity")
@@ -70,7 +70,7 @@ namespace SphFluid
             }
         }
 
-        static void BindSearch(CommandBuffer cmd, ComputeKernel kernel, RobustState state)
+        private static void BindSearch(CommandBuffer cmd, ComputeKernel kernel, RobustState state)
         {
             Bind(cmd, kernel, state);
             kernel.SetFloat(cmd, Ahead, 0f);
@@ -78,14 +78,14 @@ namespace SphFluid
             kernel.SetBuffer(cmd, Places, state.Buffers.Positions);
         }
 
-        static void BindConstraint(CommandBuffer cmd, ComputeKernel kernel, RobustState state, double compliance)
+        private static void BindConstraint(CommandBuffer cmd, ComputeKernel kernel, RobustState state, double compliance)
         {
             RobustBindings.SetGradients(cmd, kernel, state.Settings);
             kernel.SetFloat(cmd, Relaxation, state.Own.Relaxation);
             kernel.SetFloat(cmd, Compliance, (float)compliance);
         }
 
-        static void Bind(CommandBuffer cmd, ComputeKernel kernel, RobustState state)
+        private static void Bind(CommandBuffer cmd, ComputeKernel kernel, RobustState state)
         {
             FluidSolverSettings settings = state.Settings;
             CellBindings.SetSearch(cmd, kernel, state);

@@ -3,16 +3,18 @@ using UnityEngine.Rendering;
 
 namespace SphFluid
 {
-    /// <summary>Velocities of a step from its displacements, and what acts on velocities: viscosity, friction, the parting of close pairs.</summary>
+    /// <summary>
+    /// Velocities of a step from its displacements, and what acts on velocities: viscosity, friction, the parting of close pairs.
+    /// </summary>
     internal sealed class FinishParticlesPass : ComputePass
     {
-        static readonly int InverseStep = Id("_InverseStep");
-        static readonly int SlopeFactor = Id("_SlopeFactor");
-        static readonly int ViscosityFactor = Id("_ViscosityFactor");
-        static readonly int PressureFactor = Id("_PressureFactor");
-        static readonly int LeastSeparation = Id("_LeastSeparation");
+        private static readonly int InverseStep = Id("_InverseStep");
+        private static readonly int SlopeFactor = Id("_SlopeFactor");
+        private static readonly int ViscosityFactor = Id("_ViscosityFactor");
+        private static readonly int PressureFactor = Id("_PressureFactor");
+        private static readonly int LeastSeparation = Id("_LeastSeparation");
 
-        readonly ComputeKernel kernel;
+        private readonly ComputeKernel kernel;
 
         public FinishParticlesPass(FluidShaderSet shaders)
             : base(shaders, "FinishParticles")

@@ -5,10 +5,10 @@ namespace SphFluid
     /// <summary>Moves the particles by what an iteration changed of the multipliers, and keeps them off walls.</summary>
     internal sealed class MoveByConstraintsPass : ComputePass
     {
-        static readonly int Spacing = Id("_Spacing");
-        static readonly int IsFirst = Id("_IsFirst");
+        private static readonly int Spacing = Id("_Spacing");
+        private static readonly int IsFirst = Id("_IsFirst");
 
-        readonly ComputeKernel kernel;
+        private readonly ComputeKernel kernel;
 
         public MoveByConstraintsPass(FluidShaderSet shaders)
             : base(shaders, "MoveByConstraints")

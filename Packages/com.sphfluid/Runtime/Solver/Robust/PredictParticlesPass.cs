@@ -5,10 +5,10 @@ namespace SphFluid
     /// <summary>Where forces from outside would take the particles in a step, and the count of the cells there.</summary>
     internal sealed class PredictParticlesPass : ComputePass
     {
-        static readonly int IsLeft = Id("_IsLeft");
-        static readonly int Gravity = Id("_Gravity");
+        private static readonly int IsLeft = Id("_IsLeft");
+        private static readonly int Gravity = Id("_Gravity");
 
-        readonly ComputeKernel kernel;
+        private readonly ComputeKernel kernel;
 
         public PredictParticlesPass(FluidShaderSet shaders)
             : base(shaders, "PredictParticles")

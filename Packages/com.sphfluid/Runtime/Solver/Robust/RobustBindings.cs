@@ -6,8 +6,8 @@ namespace SphFluid
     /// <summary>Globals that several kernels of the Robust method share.</summary>
     internal static class RobustBindings
     {
-        static readonly int GradientFactor = Shader.PropertyToID("_GradientFactor");
-        static readonly int InverseMoment = Shader.PropertyToID("_InverseMoment");
+        private static readonly int GradientFactor = Shader.PropertyToID("_GradientFactor");
+        private static readonly int InverseMoment = Shader.PropertyToID("_InverseMoment");
 
         /// <summary>The factors of a constraint's gradients: m 210/(π R⁵)/(M ρ0) for pairs, 1/M for walls.</summary>
         public static void SetGradients(CommandBuffer cmd, ComputeKernel kernel, in FluidSolverSettings settings)

@@ -6,16 +6,17 @@ namespace SphFluid
     /// <summary>The Robust method: small-step XPBD of the density, whose steps no speed and no stiffness limits.</summary>
     internal sealed class RobustMethod : FluidMethod
     {
-        static readonly ShaderGroup Group = new ShaderGroup("the Robust method", "Shaders/Solver/Robust",
+        private static readonly ShaderGroup Group = new ShaderGroup("the Robust method", "Shaders/Solver/Robust",
             groupThreads: 64, buffers: 15, writableBuffers: 6, groupMemory: 6144, vertexBuffers: 0,
             "PredictParticles", "ConstrainDensity", "MoveByConstraints", "FinishParticles").With(CellShaders.Group);
 
-        static readonly string[] Fields = { "substeps" };
+        private static readonly string[] Fields = { "substeps" };
 
         public override FluidMethodKind Kind => FluidMethodKind.Robust;
 
         public override FluidMethodFeatures Features => FluidMethodFeatures.OpenFaces | FluidMethodFeatures.BodyContact |
-            FluidMethodFeatures.ColliderFriction | FluidMethodFeatures.ChangingCount | FluidMethodFeatures.ForceZones | FluidMethodFeatures.StepsByFrame;
+            FluidMethodFeatures.ColliderFriction | FluidMethodFeatures.ChangingCount | FluidMethodFeatures.ForceZones |
+            FluidMethodFeatures.StepsByFrame;
 
         public override ShaderGroup Shaders => Group;
 
@@ -27,7 +28,8 @@ namespace SphFluid
 
         public override double PassesAStep => PassesFor(RobustRules.LeastIterations);
 
-        public override double PassesOf(in FluidSolverSettings settings, double timeStep, double speed) => PassesFor(RobustRules.IterationsFor(settings, timeStep, speed));
+        public override double PassesOf(in FluidSolverSettings settings, double timeStep, double speed) =>
+            PassesFor(RobustRules.IterationsFor(settings, timeStep, speed));
 
         public override bool MayBePicked => true;
 
@@ -53,28 +55,36 @@ namespace SphFluid
         {
             RobustSettings own = settings.Own<RobustSettings>();
             int iterations = RobustRules.IterationsFor(settings, timeStep, speed);
-            double sound = RobustRules.EffectiveSoundSpeed(settings, timeStep, iterations), compression = own.DepthSpeed * (double)own.DepthSpeed / (sound * sound);
+            double sound = RobustRules.EffectiveSoundSpeed(settings, timeStep, iterations),
+                compression = own.DepthSpeed * (double)own.DepthSpeed / (sound * sound);
             double viscosity = RobustRules.ActingViscosity(settings, timeStep);
             var remarks = new List<(string, string)>
             {
                 ("Iterations of a step", FormattableString.Invariant($"{iterations}")),
                 ("Effective speed of sound", FormattableString.Invariant($"{sound:G3} m/s")),
-                ("Compression at the bottom", FormattableString.Invariant($"{100.0 * compression:G2} %, {50.0 * compression:G2} % in the mean")),
+                ("Compression at the bottom",
+                    FormattableString.Invariant($"{100.0 * compression:G2} %, {50.0 * compression:G2} % in the mean")),
             };
             if (viscosity < settings.Viscosity)
-                remarks.Add(("Viscosity that acts", FormattableString.Invariant($"{viscosity / settings.RestDensity:G2} m²/s: more would need shorter steps")));
+            {
+                remarks
+                    .Add(
+                        ("Viscosity that acts",
+                            FormattableString.Invariant($"{viscosity / settings.RestDensity:G2} m²/s: more would need shorter steps")));
+            }
             return remarks;
         }
 
         public override FrameWork WorkOf(in FluidSolverSettings settings, double frameTime, double speed, double stepFraction)
         {
-            int steps = FrameClock.StepsOf(frameTime, settings.Own<RobustSettings>().Substeps, RobustRules.LongestFrame / settings.Own<RobustSettings>().Substeps);
+            int steps = FrameClock.StepsOf(frameTime, settings.Own<RobustSettings>().Substeps,
+                RobustRules.LongestFrame / settings.Own<RobustSettings>().Substeps);
             int iterations = RobustRules.IterationsFor(settings, frameTime / steps, speed);
             return new FrameWork(steps, 2.0 * iterations + 1.0, steps + 1.0, 1.0);
         }
 
         // Two an iteration, the last one and the search.
-        static double PassesFor(int iterations) => 2.0 * iterations + 2.0;
+        private static double PassesFor(int iterations) => 2.0 * iterations + 2.0;
 
         public override IFluidStepper Start(in FluidSolverSettings settings, FluidShaderSet shaders, int particleCount) =>
             new RobustStepper(settings, shaders, particleCount);

@@ -3,19 +3,21 @@ using System;
 namespace SphFluid
 {
     /// <summary>
-    /// The Robust method as Automatic may pick it: with as many substeps as the budget of a frame holds, no fewer than the profile's. Worked example: at 0.5 ms a
-    /// substep and 4 at least, a budget of 1 ms gives 4, one of 3.2 ms gives 6.
+    /// The Robust method as Automatic may pick it: with as many substeps as the budget of a frame holds, no fewer than the profile's.
+    /// Worked example: at 0.5 ms a substep and 4 at least, a budget of 1 ms gives 4, one of 3.2 ms gives 6.
     /// </summary>
     internal static class RobustOffers
     {
         /// <summary>Most substeps that are picked: with more, Standard's steps are as few.</summary>
         public const int MostSubsteps = 16;
 
-        /// <summary>Speed of sound over √(g D) at which settled liquid is compressed by a ninth at its bottom; below, it sinks in visibly.</summary>
+        /// <summary>
+        /// Speed of sound over √(g D) at which settled liquid is compressed by a ninth at its bottom; below, it sinks in visibly.
+        /// </summary>
         public const double StiffEnough = 3.0;
 
         // A frame of exactly n steps takes n, however its sum of floats was rounded.
-        const double RoundingSlack = 1e-6;
+        private const double RoundingSlack = 1e-6;
 
         public static MethodOffer For(FluidMethod method, in MethodQuestion question)
         {
@@ -30,7 +32,7 @@ namespace SphFluid
             return best;
         }
 
-        static MethodOffer Offer(FluidMethod method, in MethodQuestion question, int substeps)
+        private static MethodOffer Offer(FluidMethod method, in MethodQuestion question, int substeps)
         {
             FluidRuleInput input = question.Input;
             (input.Method, input.Substeps) = (method.Kind, substeps);

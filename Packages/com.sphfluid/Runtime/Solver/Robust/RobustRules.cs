@@ -6,9 +6,11 @@ namespace SphFluid
     /// Constants of the Robust method by rule: those of <see cref="CellRules"/>, and
     /// <list type="bullet">
     /// <item><description>dt: a frame over its substeps, whatever the speed.</description></item>
-    /// <item><description>n: 2 iterations; 4 where the fastest particle goes farther than 1.7 dx in a step, 8 beyond 3 dx; as many as carry the liquid's weight, 16 at most.</description></item>
+    /// <item><description>n: 2 iterations; 4 where the fastest particle goes farther than 1.7 dx in a step, 8 beyond 3 dx; as many as carry
+    /// the liquid's weight, 16 at most.</description></item>
     /// <item><description>ω: 0.35 up to κ = 2.25, 0.25 at 2.5, less beyond.</description></item>
-    /// <item><description>c_eff = A dx √(n ω)/dt: n iterations are a spring. 1/c_tot² = 1/(c² (1 − (1 − ω)ⁿ)) + 1/c_eff².</description></item>
+    /// <item><description>c_eff = A dx √(n ω)/dt: n iterations are a spring. 1/c_tot² = 1/(c² (1 − (1 − ω)ⁿ)) +
+    /// 1/c_eff².</description></item>
     /// </list>
     /// </summary>
     internal static class RobustRules
@@ -26,17 +28,17 @@ namespace SphFluid
         public const int MostForWeight = 16;
 
         // c_eff/√(g D) that iterations are taken for; liquid of less than 1.2 sinks in by its own weight, by half of its depth, or bursts.
-        const double CarryingRatio = 2.0;
-        const double CollapseRatio = 1.5;
+        private const double CarryingRatio = 2.0;
+        private const double CollapseRatio = 1.5;
 
         // Of the lattice's stiffness: what settled liquid, which is no lattice, has of it. From columns; robust.md.
-        const double Disorder = 0.88;
+        private const double Disorder = 0.88;
 
         // Of the profile's Viscosity Ratio, as Standard has it.
-        const double ViscosityShare = 0.1;
+        private const double ViscosityShare = 0.1;
 
         // Of R² M/dt: explicit viscosity keeps half of its border of 0.072.
-        const double ViscousLimit = 0.035;
+        private const double ViscousLimit = 0.035;
 
         public static FluidSolverSettings Derive(in FluidRuleInput input)
         {
@@ -56,7 +58,8 @@ namespace SphFluid
 
         /// <summary>ω by κ: two fifths to a half of the border of the lattice, as compression adds neighbours.</summary>
         public static double RelaxationFor(double supportRatio) =>
-            supportRatio <= 2.25 ? 0.35 : supportRatio <= 2.5 ? 0.35 - 0.4 * (supportRatio - 2.25) : 0.25 * Math.Pow(2.5 / supportRatio, 3.0);
+            supportRatio <= 2.25 ? 0.35 : supportRatio <= 2.5 ? 0.35 - 0.4 * (supportRatio - 2.25)
+                : 0.25 * Math.Pow(2.5 / supportRatio, 3.0);
 
         /// <summary>Iterations of a step.</summary>
         /// <param name="settings">The liquid's constants.</param>
@@ -88,8 +91,8 @@ namespace SphFluid
         }
 
         /// <summary>
-        /// α of a step: 1/(c² dt²), or as much more as makes the liquid as soft as it was in the longest step of late. Steps that vary would else make its
-        /// stiffness vary as 1/dt², and liquid at rest jump up and down by parts of its compression.
+        /// α of a step: 1/(c² dt²), or as much more as makes the liquid as soft as it was in the longest step of late. Steps that vary
+        /// would else make its stiffness vary as 1/dt², and liquid at rest jump up and down by parts of its compression.
         /// </summary>
         /// <param name="settings">The liquid's constants.</param>
         /// <param name="timeStep">Length of the step [s].</param>
@@ -109,7 +112,7 @@ namespace SphFluid
         }
 
         // What of a compliance some iterations make act.
-        static double Reached(in RobustSettings own, int iterations) => 1.0 - Math.Pow(1.0 - own.Relaxation, iterations);
+        private static double Reached(in RobustSettings own, int iterations) => 1.0 - Math.Pow(1.0 - own.Relaxation, iterations);
 
         /// <summary>The dynamic viscosity that acts, which a long step bounds [Pa s].</summary>
         public static double ActingViscosity(in FluidSolverSettings settings, double timeStep)
@@ -125,7 +128,8 @@ namespace SphFluid
             double weight = own.DepthSpeed > 0f
                 ? IterationSpeed(settings, 1.0, Math.Max(own.Iterations, MostForWeight)) / (CollapseRatio * own.DepthSpeed)
                 : double.PositiveInfinity;
-            return new TimeStepAdvice(double.PositiveInfinity, double.PositiveInfinity, double.PositiveInfinity, double.PositiveInfinity, double.PositiveInfinity,
+            return new TimeStepAdvice(double.PositiveInfinity, double.PositiveInfinity, double.PositiveInfinity, double.PositiveInfinity,
+                double.PositiveInfinity,
                 own.SoundSpeed, maxSpeed, settings.Viscosity / settings.RestDensity, weight: weight);
         }
     }

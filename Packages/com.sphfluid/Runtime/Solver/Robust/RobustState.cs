@@ -6,7 +6,8 @@ namespace SphFluid
     /// <summary>What the passes of the Robust method work on.</summary>
     internal sealed class RobustState : CellState
     {
-        public RobustState(in FluidSolverSettings settings, int particleCount, bool isPlanned = false) : base(settings, particleCount, isPlanned)
+        public RobustState(in FluidSolverSettings settings, int particleCount, bool isPlanned = false)
+            : base(settings, particleCount, isPlanned)
         {
             try
             {

@@ -3,21 +3,21 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>
-    /// Steps a liquid by the Robust method: PredictParticles, the sort at the predicted places (ScanCells and Scatter, in two dispatches for a
-    /// stable order), n times ConstrainDensity and MoveByConstraints, then FinishParticles. Triangles add GatherWalls, and FindContacts and
-    /// ResolveContacts twice: for the prediction, so that no particle meets liquid behind a wall, and for the step as a whole.
-    /// Readers get an order of their own: a sort and a density at the end of a frame.
+    /// Steps a liquid by the Robust method: PredictParticles, the sort at the predicted places (ScanCells and Scatter, in two dispatches
+    /// for a stable order), n times ConstrainDensity and MoveByConstraints, then FinishParticles. Triangles add GatherWalls, and
+    /// FindContacts and ResolveContacts twice: for the prediction, so that no particle meets liquid behind a wall, and for the step as a
+    /// whole. Readers get an order of their own: a sort and a density at the end of a frame.
     /// </summary>
     internal sealed class RobustStepper : CellStepper
     {
-        readonly RobustState state;
-        readonly PredictParticlesPass predictParticles;
-        readonly ConstrainDensityPass constrainDensity;
-        readonly MoveByConstraintsPass moveByConstraints;
-        readonly FinishParticlesPass finishParticles;
-        int iterations = RobustRules.LeastIterations;
-        float longestStep;
-        bool hasPressures;
+        private readonly RobustState state;
+        private readonly PredictParticlesPass predictParticles;
+        private readonly ConstrainDensityPass constrainDensity;
+        private readonly MoveByConstraintsPass moveByConstraints;
+        private readonly FinishParticlesPass finishParticles;
+        private int iterations = RobustRules.LeastIterations;
+        private float longestStep;
+        private bool hasPressures;
 
         public RobustStepper(in FluidSolverSettings settings, FluidShaderSet shaders, int particleCount) : base(shaders)
         {
@@ -62,7 +62,8 @@ namespace SphFluid
             if (!state.HasBodies) return;
             state.RequireWalls();
             if (state.HasFloatingBodies) MoveBodies.RecordBegin(cmd, state);
-            if (Order == ParticleOrder.Sorted) GatherWalls.Record(cmd, state, state.Buffers.Positions); // else those of the last step are there
+            // else those of the last step are there
+            if (Order == ParticleOrder.Sorted) GatherWalls.Record(cmd, state, state.Buffers.Positions);
         }
 
         /// <inheritdoc/>

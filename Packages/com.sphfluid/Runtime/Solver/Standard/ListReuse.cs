@@ -4,8 +4,8 @@ namespace SphFluid
 {
     /// <summary>
     /// For how many steps an order of particles and their lists of neighbours serve. Listed pairs are computed at their present places,
-    /// so only pairs that come within R since are left out: bodies of liquid at a speed v that fall together close by 2 v Δt a step. What is
-    /// left out of a pair that is late by a part q of R has the weight of (1 − q)⁴ (4q + 1) and is soon found, but pairs that come much
+    /// so only pairs that come within R since are left out: bodies of liquid at a speed v that fall together close by 2 v Δt a step. What
+    /// is left out of a pair that is late by a part q of R has the weight of (1 − q)⁴ (4q + 1) and is soon found, but pairs that come much
     /// nearer unseen would jolt. Those at a surface are listed ahead (Shaders/Solver/Cells/NeighbourSearch.hlsl).
     /// </summary>
     internal static class ListReuse
@@ -14,8 +14,8 @@ namespace SphFluid
         public const int MostSteps = 8;
 
         // Over R: what two bodies may close between the first step that uses a list and the last, and what a moving triangle may go.
-        const float MostClosing = 0.6f;
-        const float MostBodyMotion = 0.3f;
+        private const float MostClosing = 0.6f;
+        private const float MostBodyMotion = 0.3f;
 
         /// <summary>Steps that one sort serves among walls at rest, on a device that holds the lists; 1 or more.</summary>
         /// <param name="settings">The liquid's constants.</param>
@@ -39,7 +39,8 @@ namespace SphFluid
             int most = Math.Max(1, Math.Min(MostSteps, state.Own.StepsPerSort));
             if (most == 1 || !state.MayListNeighbours) return 1;
             double closing = 2.0 * speed * timeStep / state.Settings.SupportRadius;
-            double bodies = (state.HasBodies && state.Bodies.IsUnderWay ? state.Bodies.LongestMotion : 0f) / Math.Max(1, steps) / state.Settings.SupportRadius;
+            double bodies = (state.HasBodies && state.Bodies.IsUnderWay ? state.Bodies.LongestMotion : 0f) / Math.Max(1, steps) /
+                state.Settings.SupportRadius;
             double allowed = 1.0 + Math.Min(closing > 0.0 ? MostClosing / closing : most, bodies > 0.0 ? MostBodyMotion / bodies : most);
             return allowed < most ? (int)allowed : most;
         }

@@ -6,11 +6,11 @@ namespace SphFluid
     /// <summary>Globals of the forces and of the motion, for the one pass that has all of them and for those that share them.</summary>
     internal static class MotionBindings
     {
-        static readonly int SlopeFactor = Shader.PropertyToID("_SlopeFactor");
-        static readonly int WallPush = Shader.PropertyToID("_WallPush");
-        static readonly int ViscosityFactor = Shader.PropertyToID("_ViscosityFactor");
-        static readonly int LeastSeparation = Shader.PropertyToID("_LeastSeparation");
-        static readonly int Gravity = Shader.PropertyToID("_Gravity");
+        private static readonly int SlopeFactor = Shader.PropertyToID("_SlopeFactor");
+        private static readonly int WallPush = Shader.PropertyToID("_WallPush");
+        private static readonly int ViscosityFactor = Shader.PropertyToID("_ViscosityFactor");
+        private static readonly int LeastSeparation = Shader.PropertyToID("_LeastSeparation");
+        private static readonly int Gravity = Shader.PropertyToID("_Gravity");
 
         /// <summary>How far a step's forces take the velocities [s].</summary>
         public static float KickOf(in FluidStep step) => step.IsFirst ? 0.5f * step.Length : step.Kick;
@@ -59,9 +59,10 @@ namespace SphFluid
             kernel.Set(cmd, state.Published.Counters);
         }
 
-        static double Moment(in FluidSolverSettings settings) => WendlandKernel.LatticeMoment(settings.SupportRadius / settings.Spacing);
+        private static double Moment(in FluidSolverSettings settings) =>
+            WendlandKernel.LatticeMoment(settings.SupportRadius / settings.Spacing);
 
-        static double Slope(in FluidSolverSettings settings) =>
+        private static double Slope(in FluidSolverSettings settings) =>
             settings.ParticleMass * WendlandKernel.SlopeFactor(settings.SupportRadius) / Moment(settings);
     }
 }

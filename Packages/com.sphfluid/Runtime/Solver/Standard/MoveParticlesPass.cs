@@ -5,7 +5,7 @@ namespace SphFluid
     /// <summary>Forces, leapfrog, walls and the count of the cells, in one dispatch.</summary>
     internal sealed class MoveParticlesPass : ComputePass
     {
-        readonly ComputeKernel kernel;
+        private readonly ComputeKernel kernel;
 
         public MoveParticlesPass(FluidShaderSet shaders)
             : base(shaders, "MoveParticles")

@@ -4,8 +4,8 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>
-    /// A force of the Standard method with passes of its own: its settings and rules, its limit of the time step, its buffers and its passes. A
-    /// force is one folder with a class like this, and a line in <see cref="StandardForces"/>.
+    /// A force of the Standard method with passes of its own: its settings and rules, its limit of the time step, its buffers and its
+    /// passes. A force is one folder with a class like this, and a line in <see cref="StandardForces"/>.
     /// </summary>
     internal abstract class ParticleForce
     {
@@ -40,7 +40,9 @@ namespace SphFluid
         /// <summary>Whether it acts.</summary>
         public abstract bool Acts(in StandardSettings settings);
 
-        /// <summary>Its name and why it acts in a liquid, as the end of a sentence: "surface friction, which acts in this liquid of 2 Pa s".</summary>
+        /// <summary>
+        /// Its name and why it acts in a liquid, as the end of a sentence: "surface friction, which acts in this liquid of 2 Pa s".
+        /// </summary>
         public abstract string Describe(in FluidRuleInput input);
 
         /// <summary>Least speed of sound by which the liquid withstands it [m/s].</summary>

@@ -5,16 +5,16 @@ namespace SphFluid
     /// <summary>Density by summation with the walls' share, and the pressure term.</summary>
     internal sealed class StandardDensityPass : ComputePass
     {
-        static readonly int DensityFactor = Id("_DensityFactor");
-        static readonly int InverseMoment = Id("_InverseMoment");
-        static readonly int SoundSpeedSquared = Id("_SoundSpeedSquared");
-        static readonly int Impact = Id("_Impact");
-        static readonly int SuctionFloor = Id("_SuctionFloor");
-        static readonly int SupportSquared = Id("_SupportSquared");
-        static readonly int Ahead = Id("_Ahead");
-        static readonly int Places = Id("_Places");
+        private static readonly int DensityFactor = Id("_DensityFactor");
+        private static readonly int InverseMoment = Id("_InverseMoment");
+        private static readonly int SoundSpeedSquared = Id("_SoundSpeedSquared");
+        private static readonly int Impact = Id("_Impact");
+        private static readonly int SuctionFloor = Id("_SuctionFloor");
+        private static readonly int SupportSquared = Id("_SupportSquared");
+        private static readonly int Ahead = Id("_Ahead");
+        private static readonly int Places = Id("_Places");
 
-        readonly ComputeKernel search, listed;
+        private readonly ComputeKernel search, listed;
 
         public StandardDensityPass(FluidShaderSet shaders)
             : base(shaders, "StandardDensity")
@@ -38,7 +38,9 @@ namespace SphFluid
             }
         }
 
-        /// <summary>Sums over the neighbours that an earlier step listed, where the last step left them; lists anew beside walls that bend.</summary>
+        /// <summary>
+        /// Sums over the neighbours that an earlier step listed, where the last step left them; lists anew beside walls that bend.
+        /// </summary>
         public void RecordListed(CommandBuffer cmd, StandardState state)
         {
             using (Sample(cmd))
@@ -51,7 +53,7 @@ namespace SphFluid
             }
         }
 
-        static void Bind(CommandBuffer cmd, ComputeKernel kernel, StandardState state)
+        private static void Bind(CommandBuffer cmd, ComputeKernel kernel, StandardState state)
         {
             FluidSolverSettings settings = state.Settings;
             CellBindings.SetSearch(cmd, kernel, state);

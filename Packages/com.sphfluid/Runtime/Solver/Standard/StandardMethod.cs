@@ -7,15 +7,18 @@ namespace SphFluid
     /// <summary>The Standard method: weakly compressible SPH with one kernel, walls that carry density, and a counting sort.</summary>
     internal sealed class StandardMethod : FluidMethod
     {
-        static readonly ShaderGroup Group = new ShaderGroup("the Standard method", "Shaders/Solver/Standard",
+        private static readonly ShaderGroup Group = new ShaderGroup("the Standard method", "Shaders/Solver/Standard",
             groupThreads: 64, buffers: 16, writableBuffers: 6, groupMemory: 6144, vertexBuffers: 0,
-            new[] { "StandardDensity", "MoveParticles", "KickParticles", "DiffuseVelocities", "DriftParticles" }.Concat(StandardForces.Shaders).ToArray())
+            new[] { "StandardDensity", "MoveParticles", "KickParticles", "DiffuseVelocities",
+                "DriftParticles" }.Concat(StandardForces.Shaders).ToArray())
             .With(CellShaders.Group);
 
-        static readonly string[] Fields = new[] { "soundSpeedMode", "timeStepFraction" }.Concat(StandardForces.ProfileFields).ToArray();
+        private static readonly string[] Fields = new[] { "soundSpeedMode", "timeStepFraction" }.Concat(StandardForces.ProfileFields)
+            .ToArray();
 
-        // A walk over the neighbours that adds little to each, over the mean of those of density and forces: 0.73 measured with 8,160 particles and 7 iterations on llvmpipe.
-        const double IterationShare = 0.7;
+        // A walk over the neighbours that adds little to each, over the mean of those of density and forces: 0.73 measured with 8,160
+        // particles and 7 iterations on llvmpipe.
+        private const double IterationShare = 0.7;
 
         public override FluidMethodKind Kind => FluidMethodKind.Standard;
 

@@ -11,23 +11,25 @@ namespace SphFluid
     /// </summary>
     internal static class StandardRules
     {
-        // Wendland's C2 for density and force: the lattice's borders are 0.86 to 0.93 R M/c and 0.072 R² M/ν (von Neumann), M the lattice's moment.
-        const double AcousticBorder = 0.9;
-        const double ViscousLimit = 0.035;
-        const double ViscousBorder = 0.072;
+        // Wendland's C2 for density and force: the lattice's borders are 0.86 to 0.93 R M/c and 0.072 R² M/ν (von Neumann), M the lattice's
+        // moment.
+        private const double AcousticBorder = 0.9;
+        private const double ViscousLimit = 0.035;
+        private const double ViscousBorder = 0.072;
 
         // Of the profile's Viscosity Ratio: one kernel for density and force needs a tenth of what the thesis's two need.
-        const double ViscosityShare = 0.1;
+        private const double ViscosityShare = 0.1;
 
         // τ c/R, and the rate at which density grows over ρ0 c/R.
-        const float ImpactTime = 0.4f, ImpactRate = 0.07f;
+        private const float ImpactTime = 0.4f, ImpactRate = 0.07f;
 
         public static FluidSolverSettings Derive(in FluidRuleInput input)
         {
             var own = new StandardSettings { StableOrder = true, NeighbourList = true, StepsPerSort = ListReuse.MostSteps };
             foreach (ParticleForce force in StandardForces.All) force.Derive(input, ref own);
             FluidSolverSettings settings = CellRules.Derive(
-                input, ViscosityShare, out double speed, out double sound, out double kinematic, StandardForces.LeastSoundSpeed(input, own));
+                input, ViscosityShare, out double speed, out double sound, out double kinematic,
+                StandardForces.LeastSoundSpeed(input, own));
             double dx = input.Spacing;
             double radius = input.SupportRatio * dx;
             double forceStep = StandardForces.LargestStep(settings.WithOwn(own));
@@ -42,16 +44,21 @@ namespace SphFluid
         public static TimeStepAdvice Advise(in FluidSolverSettings settings, double maxSpeed)
         {
             StandardSettings own = settings.Own<StandardSettings>();
-            return Advise(settings.Spacing, settings.SupportRadius, settings.SoundSpeed, maxSpeed, settings.Viscosity / settings.RestDensity,
+            return Advise(settings.Spacing, settings.SupportRadius, settings.SoundSpeed, maxSpeed,
+                settings.Viscosity / settings.RestDensity,
                 own.ImplicitViscosity, StandardForces.LargestStep(settings));
         }
 
-        /// <summary>Advice from bare numbers. The walls set no limit of their own; the forces are over <see cref="WendlandKernel.LatticeMoment"/>.</summary>
-        public static TimeStepAdvice Advise(double spacing, double radius, double sound, double speed, double kinematic, bool isImplicit = false,
+        /// <summary>
+        /// Advice from bare numbers. The walls set no limit of their own; the forces are over <see cref="WendlandKernel.LatticeMoment"/>.
+        /// </summary>
+        public static TimeStepAdvice Advise(double spacing, double radius, double sound, double speed, double kinematic,
+            bool isImplicit = false,
             double forceStep = double.PositiveInfinity)
         {
             double moment = WendlandKernel.LatticeMoment(radius / spacing);
-            double viscous = isImplicit ? ImplicitViscosity.LargestStep(radius / spacing, radius, kinematic) : TimeStepAdvice.ViscousStep(ViscousLimit * moment, radius, kinematic);
+            double viscous = isImplicit ? ImplicitViscosity.LargestStep(radius / spacing, radius, kinematic)
+                : TimeStepAdvice.ViscousStep(ViscousLimit * moment, radius, kinematic);
             double border = isImplicit ? double.PositiveInfinity : TimeStepAdvice.ViscousStep(ViscousBorder * moment, radius, kinematic);
             return new TimeStepAdvice(
                 AcousticBorder * radius / (sound / moment + speed), TimeStepAdvice.SpeedStep(spacing, speed), viscous, border,
@@ -66,10 +73,11 @@ namespace SphFluid
         }
 
         // A step that the user gives is taken as it is, so what holds it is chosen by it.
-        static bool IsImplicit(in FluidRuleInput input, in TimeStepAdvice asExplicit, double forceStep)
+        private static bool IsImplicit(in FluidRuleInput input, in TimeStepAdvice asExplicit, double forceStep)
         {
             if (input.FixedTimeStep > 0f) return asExplicit.Viscosity < input.FixedTimeStep;
-            return ImplicitViscosity.Pays(asExplicit.Viscosity, Math.Min(forceStep, Math.Min(input.TimeStepFraction * asExplicit.Acoustic, asExplicit.Speed)));
+            return ImplicitViscosity.Pays(asExplicit.Viscosity,
+                Math.Min(forceStep, Math.Min(input.TimeStepFraction * asExplicit.Acoustic, asExplicit.Speed)));
         }
     }
 }

@@ -28,8 +28,8 @@ namespace SphFluid
         public int StepsPerSort;
 
         /// <summary>
-        /// True: velocities behind viscosity are solved for, which is stable for steps of any length and costs some dispatches more a step. False:
-        /// viscosity is added, and limits the step. The rules choose what is faster.
+        /// True: velocities behind viscosity are solved for, which is stable for steps of any length and costs some dispatches more a step.
+        /// False: viscosity is added, and limits the step. The rules choose what is faster.
         /// </summary>
         public bool ImplicitViscosity;
 

@@ -8,14 +8,15 @@ namespace SphFluid
     /// <summary>What the passes of the Standard method work on.</summary>
     internal sealed class StandardState : CellState
     {
-        public StandardState(in FluidSolverSettings settings, int particleCount, bool isPlanned = false) : base(settings, particleCount, isPlanned)
+        public StandardState(in FluidSolverSettings settings, int particleCount, bool isPlanned = false)
+            : base(settings, particleCount, isPlanned)
         {
         }
 
         /// <summary>What an implicit viscosity needs; null where it never was.</summary>
         public ViscousBuffers Viscous { get; private set; }
 
-        readonly Dictionary<ParticleForce, BufferSet> forces = new Dictionary<ParticleForce, BufferSet>();
+        private readonly Dictionary<ParticleForce, BufferSet> forces = new Dictionary<ParticleForce, BufferSet>();
 
         /// <summary>How far the density is taken ahead where it grows, over the step before; 0 where that step is not known.</summary>
         public Vector2 Impact { get; set; }

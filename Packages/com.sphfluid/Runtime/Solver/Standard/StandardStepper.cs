@@ -7,22 +7,23 @@ namespace SphFluid
     /// <summary>
     /// Steps a liquid by the Standard method in four dependent dispatches: ScanCells, Scatter, StandardDensity, MoveParticles;
     /// the stable order makes Scatter two. Triangles add three: GatherWalls before the density, FindContacts and ResolveContacts after
-    /// the motion, and bodies that the liquid moves MoveBodies before the first and after the motion. A step that keeps the order and lists of an earlier one has two, ListedDensity and MoveParticles, and the same three of triangles.
-    /// An implicit viscosity has several in the place of MoveParticles: KickParticles, DiffuseVelocities and DriftParticles.
-    /// A force with passes of its own (<see cref="StandardForces"/>) adds them before the motion.
+    /// the motion, and bodies that the liquid moves MoveBodies before the first and after the motion. A step that keeps the order and lists
+    /// of an earlier one has two, ListedDensity and MoveParticles, and the same three of triangles. An implicit viscosity has several in
+    /// the place of MoveParticles: KickParticles, DiffuseVelocities and DriftParticles. A force with passes of its own
+    /// (<see cref="StandardForces"/>) adds them before the motion.
     /// </summary>
     internal sealed class StandardStepper : CellStepper
     {
-        readonly StandardState state;
-        readonly StandardDensityPass density;
-        readonly MoveParticlesPass moveParticles;
-        readonly Dictionary<ParticleForce, ForcePasses> forces = new Dictionary<ParticleForce, ForcePasses>();
-        KickParticlesPass kickParticles;
-        DiffuseVelocitiesPass diffuseVelocities;
-        DriftParticlesPass driftParticles;
-        bool isLoaded;
-        float listTime;
-        float lastStep;
+        private readonly StandardState state;
+        private readonly StandardDensityPass density;
+        private readonly MoveParticlesPass moveParticles;
+        private readonly Dictionary<ParticleForce, ForcePasses> forces = new Dictionary<ParticleForce, ForcePasses>();
+        private KickParticlesPass kickParticles;
+        private DiffuseVelocitiesPass diffuseVelocities;
+        private DriftParticlesPass driftParticles;
+        private bool isLoaded;
+        private float listTime;
+        private float lastStep;
 
         public StandardStepper(in FluidSolverSettings settings, FluidShaderSet shaders, int particleCount) : base(shaders)
         {
@@ -74,7 +75,8 @@ namespace SphFluid
             {
                 state.RequireWalls();
                 if (state.HasFloatingBodies) MoveBodies.RecordBegin(cmd, state);
-                GatherWalls.Record(cmd, state, isKept ? state.Buffers.NewPositions : state.Buffers.Positions, isKept && !state.Bodies.IsUnderWay);
+                GatherWalls.Record(cmd, state, isKept ? state.Buffers.NewPositions : state.Buffers.Positions,
+                    isKept && !state.Bodies.IsUnderWay);
             }
 
             if (isKept) density.RecordListed(cmd, state);
@@ -98,14 +100,14 @@ namespace SphFluid
             Order = step.KeepsOrder ? ParticleOrder.Left : ParticleOrder.Counted;
         }
 
-        void RecordForce(CommandBuffer cmd, ParticleForce force, in FluidStep step)
+        private void RecordForce(CommandBuffer cmd, ParticleForce force, in FluidStep step)
         {
             state.RequireForce(force);
             if (!forces.TryGetValue(force, out ForcePasses passes)) forces.Add(force, passes = force.MakePasses(Shaders));
             passes.Record(cmd, state, step);
         }
 
-        void RecordViscousMotion(CommandBuffer cmd, in FluidStep step)
+        private void RecordViscousMotion(CommandBuffer cmd, in FluidStep step)
         {
             state.RequireViscous();
             kickParticles ??= new KickParticlesPass(Shaders);

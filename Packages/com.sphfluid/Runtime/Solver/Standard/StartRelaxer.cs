@@ -9,37 +9,38 @@ namespace SphFluid
     /// <summary>
     /// Brings particles to rest by damped steps of the Standard method, in command buffers of bounded work. With a damping rate γ
     /// of π c/H a column of height H settles as fast as it can without swinging: its slowest wave has the rate π c/(2 H). Liquid whose
-    /// lattice cannot carry it, as between upright walls, creeps on under that; it is let flow almost freely for a while, and settled again.
+    /// lattice cannot carry it, as between upright walls, creeps on under that; it is let flow almost freely for a while, and settled
+    /// again.
     /// </summary>
     internal sealed class StartRelaxer : IDisposable
     {
         // Particle-steps of a command buffer: a tenth of a second on a slow card, where a driver gives up after two.
-        const int WorkPerBuffer = 1 << 22;
-        const int MostStepsPerBuffer = 16;
+        private const int WorkPerBuffer = 1 << 22;
+        private const int MostStepsPerBuffer = 16;
 
         // Longest time without asking whether to go on; a single step may take longer.
-        const double SubmissionSeconds = 0.2;
+        private const double SubmissionSeconds = 0.2;
 
         // Times that sound crosses the liquid while it settles.
-        const double Crossings = 8.0;
+        private const double Crossings = 8.0;
 
         // Flowing takes about ten times √(H/g) in all, whether damped by half a √(g/H) or not at all; ten times that damping stops it.
-        const double FlowTime = 4.0;
-        const double FlowRate = 0.5;
-        const int MostFlows = 8;
+        private const double FlowTime = 4.0;
+        private const double FlowRate = 0.5;
+        private const int MostFlows = 8;
 
         // Overlaps push particles about their own width; they part at once, and sooner than the liquid as a whole settles.
-        const double LocalRate = 0.5;
+        private const double LocalRate = 0.5;
 
-        readonly StandardStepper stepper;
-        readonly StandardState state;
-        readonly DampVelocitiesPass damping;
-        readonly CounterReadback counters;
-        readonly double step, crossing, fall;
-        readonly RestEstimate estimate;
-        readonly Stopwatch watch = new Stopwatch();
-        Func<FluidStartProgress, bool> watcher;
-        double timeLeft, secondsPerStep;
+        private readonly StandardStepper stepper;
+        private readonly StandardState state;
+        private readonly DampVelocitiesPass damping;
+        private readonly CounterReadback counters;
+        private readonly double step, crossing, fall;
+        private readonly RestEstimate estimate;
+        private readonly Stopwatch watch = new Stopwatch();
+        private Func<FluidStartProgress, bool> watcher;
+        private double timeLeft, secondsPerStep;
 
         /// <summary>Takes particles at rest.</summary>
         /// <param name="settings">The physics; its gravity acts.</param>
@@ -47,7 +48,8 @@ namespace SphFluid
         /// <param name="particles">The particles; their velocities do not count.</param>
         /// <param name="bodies">The scene's bodies; null for none.</param>
         /// <param name="height">Height over which the liquid settles [m].</param>
-        public StartRelaxer(in FluidSolverSettings settings, FluidShaderSet shaders, IReadOnlyList<FluidParticle> particles, CollisionBodies bodies, double height)
+        public StartRelaxer(in FluidSolverSettings settings, FluidShaderSet shaders, IReadOnlyList<FluidParticle> particles,
+            CollisionBodies bodies, double height)
         {
             damping = new DampVelocitiesPass(shaders);
             step = Math.Min(settings.TimeStep, StandardRules.Advise(settings, settings.MaxSpeed).Largest);
@@ -71,13 +73,18 @@ namespace SphFluid
         /// <summary>Largest speed in the last steps [m/s].</summary>
         public float Speed { get; private set; }
 
-        /// <summary>Largest acceleration that the damping held in the last steps, about what moves the liquid when it is let go [m/s²].</summary>
+        /// <summary>
+        /// Largest acceleration that the damping held in the last steps, about what moves the liquid when it is let go [m/s²].
+        /// </summary>
         public double Acceleration => Speed * Rate;
 
         // π c/H.
-        double Rate => Math.PI / crossing;
+        private double Rate => Math.PI / crossing;
 
-        /// <summary>Settles the liquid, lets it flow and settles it again until no particle is accelerated by more than what is asked for, or eight times.</summary>
+        /// <summary>
+        /// Settles the liquid, lets it flow and settles it again until no particle is accelerated by more than what is asked for, or eight
+        /// times.
+        /// </summary>
         /// <param name="acceleration">Largest acceleration to be left [m/s²].</param>
         /// <param name="goesOn">Asked after each part of bounded work; false ends the relaxation. Null: nobody is asked.</param>
         /// <returns>Whether it came to that.</returns>
@@ -118,7 +125,7 @@ namespace SphFluid
         }
 
         // At once where overlaps part, then where the liquid as a whole settles.
-        void Settle(CommandBuffer cmd, double acceleration)
+        private void Settle(CommandBuffer cmd, double acceleration)
         {
             double local = Math.Max(LocalRate * state.Settings.SoundSpeed / state.Settings.Spacing, Rate);
             double time = 0.0;
@@ -130,14 +137,16 @@ namespace SphFluid
             while (time < Crossings * crossing && !(Acceleration <= acceleration && time > crossing));
         }
 
-        void Flow(CommandBuffer cmd)
+        private void Flow(CommandBuffer cmd)
         {
             for (double time = 0.0; time < FlowTime * fall; timeLeft = estimate.Flowing(time))
+            {
                 time = Advance(cmd, time, FlowTime * fall, _ => FlowRate / fall);
+            }
         }
 
         // A command buffer of steps: the time after them.
-        double Advance(CommandBuffer cmd, double time, double end, Func<double, double> rate)
+        private double Advance(CommandBuffer cmd, double time, double end, Func<double, double> rate)
         {
             int batch = Mathf.Clamp(WorkPerBuffer / state.ParticleCount, 1, MostStepsPerBuffer);
             counters.RecordReset(cmd);
@@ -158,10 +167,10 @@ namespace SphFluid
         }
 
         // How many steps are submitted at once does not change what they compute: only maxima of a whole batch are looked at.
-        int StepsPerSubmission => secondsPerStep > 0.0 ? Math.Max(1, (int)(SubmissionSeconds / secondsPerStep)) : 1;
+        private int StepsPerSubmission => secondsPerStep > 0.0 ? Math.Max(1, (int)(SubmissionSeconds / secondsPerStep)) : 1;
 
         // Executes, waits, and asks whether to go on.
-        void Submit(CommandBuffer cmd, ref int recorded)
+        private void Submit(CommandBuffer cmd, ref int recorded)
         {
             double before = watch.Elapsed.TotalSeconds;
             Graphics.ExecuteCommandBuffer(cmd);
@@ -172,7 +181,9 @@ namespace SphFluid
             recorded = 0;
             double left = timeLeft / step * (now / Math.Max(1, Steps));
             if (watcher != null && !watcher(new FluidStartProgress(Steps, now, left)))
+            {
                 throw new OperationCanceledException("The relaxed start was ended.");
+            }
         }
     }
 }

@@ -6,13 +6,13 @@ namespace SphFluid
     /// <summary>Places the rectangles on which the liquid's force is summed, for a step.</summary>
     internal sealed class PlaceWallPatchesPass : ComputePass
     {
-        static readonly int Asked = Id("_AskedPatches");
-        static readonly int PlacedOut = Id("_WallPatchesOut");
-        static readonly int PatchCount = Id("_PatchCount");
-        static readonly int FirstSum = Id("_FirstSum");
-        static readonly int BeginsPart = Id("_BeginsPart");
+        private static readonly int Asked = Id("_AskedPatches");
+        private static readonly int PlacedOut = Id("_WallPatchesOut");
+        private static readonly int PatchCount = Id("_PatchCount");
+        private static readonly int FirstSum = Id("_FirstSum");
+        private static readonly int BeginsPart = Id("_BeginsPart");
 
-        readonly ComputeKernel place, carry;
+        private readonly ComputeKernel place, carry;
 
         public PlaceWallPatchesPass(FluidShaderSet shaders)
             : base(shaders, "PlaceWallPatches")

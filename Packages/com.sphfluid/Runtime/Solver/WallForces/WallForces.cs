@@ -7,15 +7,15 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>
-    /// The force of a liquid on rectangles of its walls, from <see cref="FluidSolver.WallForces"/>. Summed on the GPU in every step in whole
-    /// units, so that equal runs read the same; read back with the steps, without waiting. This is the force with which the wall holds the
-    /// liquid: what a pressure gauge in the wall would feel. A mean of the particles' own pressure is not, least of all in a hit.
+    /// The force of a liquid on rectangles of its walls, from <see cref="FluidSolver.WallForces"/>. Summed on the GPU in every step in
+    /// whole units, so that equal runs read the same; read back with the steps, without waiting. This is the force with which the wall
+    /// holds the liquid: what a pressure gauge in the wall would feel. A mean of the particles' own pressure is not, least of all in a hit.
     /// </summary>
     /// <example>
     /// <code>
-    /// WallPatch floor = solver.WallForces.Add(new Vector3(0f, -0.5f, 0f), Quaternion.LookRotation(Vector3.up, Vector3.forward), new Vector2(0.2f, 0.2f));
-    /// // record and execute steps, for some frames
-    /// double pressure = floor.MeanPressure(0.1); // Pa, over the last 0.1 s that have been read back
+    /// WallPatch floor = solver.WallForces.Add(new Vector3(0f, -0.5f, 0f), Quaternion.LookRotation(Vector3.up, Vector3.forward), new
+    /// Vector2(0.2f, 0.2f)); // record and execute steps, for some frames double pressure = floor.MeanPressure(0.1); // Pa, over the last
+    /// 0.1 s that have been read back
     /// </code>
     /// </example>
     public sealed class WallForces
@@ -26,19 +26,19 @@ namespace SphFluid
         /// <summary>Most parts that a batch of steps is sampled in; one of more steps has several steps a part.</summary>
         public const int MostParts = 64;
 
-        static readonly int PatchesId = Shader.PropertyToID("_WallPatches");
-        static readonly int SumsId = Shader.PropertyToID("_WallSums");
-        static readonly int UnitsId = Shader.PropertyToID("_PatchUnits");
-        static readonly int SpacingId = Shader.PropertyToID("_PatchSpacing");
+        private static readonly int PatchesId = Shader.PropertyToID("_WallPatches");
+        private static readonly int SumsId = Shader.PropertyToID("_WallSums");
+        private static readonly int UnitsId = Shader.PropertyToID("_PatchUnits");
+        private static readonly int SpacingId = Shader.PropertyToID("_PatchSpacing");
 
-        readonly FluidShaderSet shaders;
-        readonly List<WallPatch> patches = new List<WallPatch>();
-        readonly AskedPatch[] asked = new AskedPatch[Most];
-        readonly WallReadback readback;
-        PlaceWallPatchesPass pass;
-        GraphicsBuffer askedBuffer, placedBuffer, sumBuffer;
-        WallReadback.Batch batch; // of the steps that are recorded; null: nothing is summed
-        bool isCarried;
+        private readonly FluidShaderSet shaders;
+        private readonly List<WallPatch> patches = new List<WallPatch>();
+        private readonly AskedPatch[] asked = new AskedPatch[Most];
+        private readonly WallReadback readback;
+        private PlaceWallPatchesPass pass;
+        private GraphicsBuffer askedBuffer, placedBuffer, sumBuffer;
+        private WallReadback.Batch batch; // of the steps that are recorded; null: nothing is summed
+        private bool isCarried;
 
         internal WallForces(FluidShaderSet shaders)
         {
@@ -86,7 +86,9 @@ namespace SphFluid
             Check(centre, rotation, size);
             Require.NotNegative(depth, nameof(depth));
             if (patches.Count == Most)
+            {
                 throw new InvalidOperationException($"A liquid has at most {Most} wall patches. Remove one, or read a larger one.");
+            }
             var patch = new WallPatch { Centre = centre, Rotation = rotation.normalized, Size = size, Depth = depth };
             patches.Add(patch);
             return patch;
@@ -101,7 +103,10 @@ namespace SphFluid
         public void Move(WallPatch patch, Vector3 centre, Quaternion rotation, Vector2 size)
         {
             Check(centre, rotation, size);
-            if (!patches.Contains(patch)) throw new ArgumentException("The wall patch was removed, or is one of another liquid.", nameof(patch));
+            if (!patches.Contains(patch))
+            {
+                throw new ArgumentException("The wall patch was removed, or is one of another liquid.", nameof(patch));
+            }
             (patch.Centre, patch.Rotation, patch.Size) = (centre, rotation.normalized, size);
         }
 
@@ -149,7 +154,9 @@ namespace SphFluid
             batch = null;
         }
 
-        /// <summary>Records the keyword and the globals of Shaders/Solver/WallForces/WallPatches.hlsl for a kernel that changes velocities at walls.</summary>
+        /// <summary>
+        /// Records the keyword and the globals of Shaders/Solver/WallForces/WallPatches.hlsl for a kernel that changes velocities at walls.
+        /// </summary>
         /// <param name="cmd">Command buffer.</param>
         /// <param name="kernel">Kernel with the keyword.</param>
         /// <param name="state">The liquid.</param>
@@ -180,13 +187,14 @@ namespace SphFluid
             GpuBuffers.Dispose(ref sumBuffer);
         }
 
-        AskedPatch Asked(WallPatch patch, FluidState state)
+        private AskedPatch Asked(WallPatch patch, FluidState state)
         {
             var words = new AskedPatch
             {
                 Centre = patch.Centre,
                 Rotation = patch.Rotation,
-                HalfSize = new Vector2(HalfEdge(patch.Rotation * Vector3.right, patch.Size.x, state.Settings), HalfEdge(patch.Rotation * Vector3.up, patch.Size.y, state.Settings)),
+                HalfSize = new Vector2(HalfEdge(patch.Rotation * Vector3.right, patch.Size.x, state.Settings),
+                    HalfEdge(patch.Rotation * Vector3.up, patch.Size.y, state.Settings)),
                 Depth = patch.Depth > 0f ? patch.Depth : state.Settings.Spacing,
             };
             BodyMotion motion = patch.Carrier != null ? state.Bodies?.MotionOf(patch.Carrier) : null;
@@ -200,32 +208,34 @@ namespace SphFluid
         }
 
         // A rectangle that goes round a periodic domain has no edge there: the squares of particles beside the seam count whole.
-        static float HalfEdge(Vector3 direction, float length, in FluidSolverSettings settings)
+        private static float HalfEdge(Vector3 direction, float length, in FluidSolverSettings settings)
         {
             Vector3 periods = settings.PeriodLength;
             for (int axis = 0; axis < 3; axis++)
             {
-                bool goesRound = periods[axis] > 0f && Mathf.Abs(direction[axis]) > 0.9999f && length > periods[axis] - 1e-3f * settings.Spacing;
+                bool goesRound = periods[axis] > 0f && Mathf.Abs(direction[axis]) > 0.9999f &&
+                    length > periods[axis] - 1e-3f * settings.Spacing;
                 if (goesRound) return 0.5f * (Mathf.Max(length, periods[axis]) + settings.Spacing);
             }
 
             return 0.5f * length;
         }
 
-        static void Check(Vector3 centre, Quaternion rotation, Vector2 size)
+        private static void Check(Vector3 centre, Quaternion rotation, Vector2 size)
         {
             Require.Place(centre, rotation);
             Require.Area(size, nameof(size));
         }
 
         // N s, a power of two: 2^26 of it are a particle at the speed of sound.
-        static double UnitOf(in FluidSolverSettings settings) =>
-            Math.Pow(2.0, Math.Ceiling(Math.Log(settings.ParticleMass * (double)Math.Max(settings.SoundSpeed, settings.MaxSpeed), 2.0)) - 26.0);
+        private static double UnitOf(in FluidSolverSettings settings) =>
+            Math.Pow(2.0,
+                Math.Ceiling(Math.Log(settings.ParticleMass * (double)Math.Max(settings.SoundSpeed, settings.MaxSpeed), 2.0)) - 26.0);
 
-        const int PlacedStride = 64;
+        private const int PlacedStride = 64;
 
         [StructLayout(LayoutKind.Sequential)]
-        struct AskedPatch
+        private struct AskedPatch
         {
             public const int Stride = 48;
 

@@ -4,13 +4,13 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>
-    /// A rectangle of a wall on which the force of the liquid is summed over every step: all that particles whose nearest point of a wall lies
-    /// on it are pushed by that wall, by pressure and by contact. Made by <see cref="WallForces.Add"/>. Walls count that are within
+    /// A rectangle of a wall on which the force of the liquid is summed over every step: all that particles whose nearest point of a wall
+    /// lies on it are pushed by that wall, by pressure and by contact. Made by <see cref="WallForces.Add"/>. Walls count that are within
     /// <see cref="Depth"/> of the rectangle and face as it does within 60°: faces of the domain and meshes, at rest or moving.
     /// </summary>
     public sealed class WallPatch
     {
-        readonly TimeMean samples = new TimeMean();
+        private readonly TimeMean samples = new TimeMean();
 
         internal WallPatch()
         {
@@ -22,7 +22,10 @@ namespace SphFluid
         /// <summary>Its axes: x and y are the edges, z is the normal, out of the wall towards the liquid.</summary>
         public Quaternion Rotation { get; internal set; } = Quaternion.identity;
 
-        /// <summary>Edge lengths along its x and y axes [m]. Of a spacing or less it sees one particle or none; four spacings and more give a steady mean.</summary>
+        /// <summary>
+        /// Edge lengths along its x and y axes [m]. Of a spacing or less it sees one particle or none; four spacings and more give a steady
+        /// mean.
+        /// </summary>
         public Vector2 Size { get; internal set; }
 
         /// <summary>How far before and behind it a wall belongs to it [m]: a spacing, unless it was given.</summary>
@@ -31,7 +34,9 @@ namespace SphFluid
         /// <summary>Area [m²].</summary>
         public double Area => (double)Size.x * Size.y;
 
-        /// <summary>Impulse of the liquid on the wall since the patch was added, against its normal [N s]; negative where it pulls.</summary>
+        /// <summary>
+        /// Impulse of the liquid on the wall since the patch was added, against its normal [N s]; negative where it pulls.
+        /// </summary>
         public double Impulse { get; private set; }
 
         /// <summary>Time over which <see cref="Impulse"/> was summed [s].</summary>
@@ -43,28 +48,39 @@ namespace SphFluid
         /// <summary>Whether a sum has arrived.</summary>
         public bool HasValue => samples.Count > 0;
 
-        /// <summary>How far back single samples are kept [simulated s], 1 by default: as long as the longest mean that is asked for.</summary>
+        /// <summary>
+        /// How far back single samples are kept [simulated s], 1 by default: as long as the longest mean that is asked for.
+        /// </summary>
         /// <exception cref="System.ArgumentException">It is negative or not finite.</exception>
         public double Memory { get => samples.Memory; set => samples.Memory = Require.NotNegative(value, nameof(value)); }
 
 
-        /// <summary>The samples that are kept, oldest first: one a step, or one of several steps where a batch has more than <see cref="WallForces.MostParts"/>.</summary>
+        /// <summary>
+        /// The samples that are kept, oldest first: one a step, or one of several steps where a batch has more than
+        /// <see cref="WallForces.MostParts"/>.
+        /// </summary>
         public IEnumerable<WallSample> Samples
         {
             get
             {
-                for (int i = 0; i < samples.Count; i++) yield return new WallSample(samples[i].Time, samples[i].Length, samples[i].Integral);
+                for (int i = 0; i < samples.Count; i++)
+                {
+                    yield return new WallSample(samples[i].Time, samples[i].Length, samples[i].Integral);
+                }
             }
         }
 
-        /// <summary>What it goes with in the motion of a frame, at whose end both are in place: the key of a collider's state; null: nothing.</summary>
+        /// <summary>
+        /// What it goes with in the motion of a frame, at whose end both are in place: the key of a collider's state; null: nothing.
+        /// </summary>
         internal object Carrier { get; set; }
 
         /// <summary>Number of samples that have arrived since it was added.</summary>
         internal long Received { get; private set; }
 
         /// <summary>Mean force on the wall, against the normal [N].</summary>
-        /// <param name="seconds">Simulated time before <see cref="Time"/> to take the mean of; at most <see cref="Memory"/>. 0: the last sample alone.</param>
+        /// <param name="seconds">Simulated time before <see cref="Time"/> to take the mean of; at most <see cref="Memory"/>. 0: the last
+        /// sample alone.</param>
         /// <returns>The force; 0 while no sum has arrived.</returns>
         /// <exception cref="System.ArgumentException">The time is negative or not finite.</exception>
         public double MeanForce(double seconds) => samples.Mean(Require.NotNegative(seconds, nameof(seconds)));

@@ -6,13 +6,15 @@ using UnityEngine.Rendering;
 
 namespace SphFluid
 {
-    /// <summary>Brings the sums of wall patches to the CPU, batch by batch. Sums whose read-back fails are lost with the time that they were of.</summary>
+    /// <summary>
+    /// Brings the sums of wall patches to the CPU, batch by batch. Sums whose read-back fails are lost with the time that they were of.
+    /// </summary>
     internal sealed class WallReadback : IDisposable
     {
-        readonly Action received;
-        readonly List<Batch> underWay = new List<Batch>(); // oldest first
-        readonly Stack<Batch> free = new Stack<Batch>();
-        bool disposed;
+        private readonly Action received;
+        private readonly List<Batch> underWay = new List<Batch>(); // oldest first
+        private readonly Stack<Batch> free = new Stack<Batch>();
+        private bool disposed;
 
         /// <param name="received">Called when a batch was handed to its patches.</param>
         public WallReadback(Action received)
@@ -52,7 +54,7 @@ namespace SphFluid
         /// <summary>What has not arrived is dropped.</summary>
         public void Dispose() => disposed = true;
 
-        void Finish(Batch batch, bool isRead)
+        private void Finish(Batch batch, bool isRead)
         {
             underWay.Remove(batch);
             if (disposed) return;
@@ -64,13 +66,13 @@ namespace SphFluid
         /// <summary>The sums of a batch of steps.</summary>
         internal sealed class Batch
         {
-            readonly WallReadback owner;
-            readonly Action<AsyncGPUReadbackRequest> arrived;
-            readonly List<WallPatch> patches = new List<WallPatch>();
-            readonly double[] times = new double[WallForces.MostParts], lengths = new double[WallForces.MostParts];
-            uint[] words = Array.Empty<uint>();
-            GraphicsBuffer sums;
-            int steps, step, parts;
+            private readonly WallReadback owner;
+            private readonly Action<AsyncGPUReadbackRequest> arrived;
+            private readonly List<WallPatch> patches = new List<WallPatch>();
+            private readonly double[] times = new double[WallForces.MostParts], lengths = new double[WallForces.MostParts];
+            private uint[] words = Array.Empty<uint>();
+            private GraphicsBuffer sums;
+            private int steps, step, parts;
 
             public Batch(WallReadback owner)
             {
@@ -133,7 +135,7 @@ namespace SphFluid
                 }
             }
 
-            void Arrive(AsyncGPUReadbackRequest request)
+            private void Arrive(AsyncGPUReadbackRequest request)
             {
                 bool isRead = !request.hasError && !owner.disposed;
                 if (isRead) NativeArray<uint>.Copy(request.GetData<uint>(), 0, words, 0, parts * 2 * patches.Count);

@@ -6,7 +6,10 @@ namespace SphFluid
         /// <summary>Simulated time at its end [s].</summary>
         public readonly double Time;
 
-        /// <summary>Its length [s]: velocities live between the steps, so a step counts from the middle of the one before to its own middle, the first by half.</summary>
+        /// <summary>
+        /// Its length [s]: velocities live between the steps, so a step counts from the middle of the one before to its own middle, the
+        /// first by half.
+        /// </summary>
         public readonly double Seconds;
 
         /// <summary>Impulse on the wall, against the patch's normal [N s].</summary>

@@ -4,11 +4,11 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>Resets the blocks: none is active and all counts are zero (Shaders/Surface/Sparse/ClearSurfaceBlocks.compute).</summary>
-    sealed class ClearSurfaceBlocksPass : ComputePass
+    internal sealed class ClearSurfaceBlocksPass : ComputePass
     {
-        static readonly int SurfaceNumber = Id("_SurfaceNumber");
+        private static readonly int SurfaceNumber = Id("_SurfaceNumber");
 
-        readonly ComputeKernel kernel;
+        private readonly ComputeKernel kernel;
 
         public ClearSurfaceBlocksPass(FluidShaderSet shaders)
             : base(shaders, "ClearSurfaceBlocks")

@@ -6,9 +6,9 @@ namespace SphFluid
     /// Vertices and indices of the present round's blocks, a group each, and their place in the buffers. Lists blocks
     /// that the surface reaches though no particle marked them (Shaders/Surface/Sparse/CountBlocks.compute).
     /// </summary>
-    sealed class CountBlocksPass : ComputePass
+    internal sealed class CountBlocksPass : ComputePass
     {
-        readonly ComputeKernel kernel;
+        private readonly ComputeKernel kernel;
 
         public CountBlocksPass(FluidShaderSet shaders)
             : base(shaders, "CountBlocks")

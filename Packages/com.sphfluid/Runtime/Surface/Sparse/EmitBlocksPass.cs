@@ -5,9 +5,9 @@ namespace SphFluid
     /// <summary>
     /// Vertices and triangles of all blocks, a group each (Shaders/Surface/Sparse/EmitBlocks.compute).
     /// </summary>
-    sealed class EmitBlocksPass : ComputePass
+    internal sealed class EmitBlocksPass : ComputePass
     {
-        readonly ComputeKernel kernel;
+        private readonly ComputeKernel kernel;
 
         public EmitBlocksPass(FluidShaderSet shaders)
             : base(shaders, "EmitBlocks")

@@ -8,16 +8,16 @@ namespace SphFluid
     /// A Unity mesh that the GPU fills with a sparse surface: float3 positions and float3 normals in one stream, 32-bit
     /// indices. It has no copy on the CPU.
     /// </summary>
-    sealed class FilledMesh : IDisposable
+    internal sealed class FilledMesh : IDisposable
     {
-        const int VertexStride = 6 * sizeof(float);
+        private const int VertexStride = 6 * sizeof(float);
 
         // Unity has nothing to check: the content is on the GPU.
-        const MeshUpdateFlags Unchecked = MeshUpdateFlags.DontRecalculateBounds | MeshUpdateFlags.DontValidateIndices |
+        private const MeshUpdateFlags Unchecked = MeshUpdateFlags.DontRecalculateBounds | MeshUpdateFlags.DontValidateIndices |
             MeshUpdateFlags.DontResetBoneBounds;
 
-        readonly WriteSurfaceMeshPass writeMesh;
-        Mesh mesh;
+        private readonly WriteSurfaceMeshPass writeMesh;
+        private Mesh mesh;
 
         /// <exception cref="FluidDeviceException">The kernel is missing, or the device cannot run it.</exception>
         public FilledMesh(FluidShaderSet shaders, string name)
@@ -65,10 +65,9 @@ namespace SphFluid
             IndexCapacity = 0;
         }
 
-        void Reserve(int vertices, int indices)
+        private void Reserve(int vertices, int indices)
         {
-            if (vertices <= VertexCapacity && indices <= IndexCapacity)
-                return;
+            if (vertices <= VertexCapacity && indices <= IndexCapacity) return;
             long bytes = Math.Max((long)vertices * VertexStride, (long)indices * sizeof(uint));
             if (bytes > SystemInfo.maxGraphicsBufferSize)
             {

@@ -5,14 +5,14 @@ namespace SphFluid
     /// <summary>
     /// Particles that left the surface as spray, for the drawing (Shaders/Surface/Sparse/ListSpray.compute).
     /// </summary>
-    sealed class SprayParticles : BufferSet
+    internal sealed class SprayParticles : BufferSet
     {
-        const int Stride = 8 * sizeof(float);
+        private const int Stride = 8 * sizeof(float);
 
         /// <summary>Numbers of <see cref="DrawArguments"/>; the first are the vertices.</summary>
         public const int ArgumentWords = 4;
 
-        FluidBuffer spray, groups, particles, arguments;
+        private FluidBuffer spray, groups, particles, arguments;
 
         /// <summary>float a particle of the liquid, 0 to 1: which part of it left the surface.</summary>
         public FluidBuffer Spray => spray;
@@ -41,15 +41,15 @@ namespace SphFluid
     }
 
     /// <summary>Writes one after the other the particles of which a part left the surface, and how much of them is drawn.</summary>
-    sealed class ListSprayPass : ComputePass
+    internal sealed class ListSprayPass : ComputePass
     {
-        const int ScanThreads = 256;
+        private const int ScanThreads = 256;
 
-        static readonly int Particles = Id("_Particles");
-        static readonly int GroupTotal = Id("_GroupTotal");
-        static readonly int VerticesPerParticle = Id("_VerticesPerParticle");
+        private static readonly int Particles = Id("_Particles");
+        private static readonly int GroupTotal = Id("_GroupTotal");
+        private static readonly int VerticesPerParticle = Id("_VerticesPerParticle");
 
-        readonly ComputeKernel count, scan, list;
+        private readonly ComputeKernel count, scan, list;
 
         public ListSprayPass(FluidShaderSet shaders)
             : base(shaders, "ListSpray")

@@ -6,12 +6,12 @@ namespace SphFluid
     /// Gives marked blocks slots, one atomic operation a group of 256 blocks, and says which slots the next dispatches
     /// work on (Shaders/Surface/Sparse/ListSurfaceBlocks.compute).
     /// </summary>
-    sealed class ListSurfaceBlocksPass : ComputePass
+    internal sealed class ListSurfaceBlocksPass : ComputePass
     {
-        static readonly int LateRound = Id("_LateRound");
+        private static readonly int LateRound = Id("_LateRound");
 
-        readonly ComputeKernel list;
-        readonly ComputeKernel beginRound;
+        private readonly ComputeKernel list;
+        private readonly ComputeKernel beginRound;
 
         public ListSurfaceBlocksPass(FluidShaderSet shaders)
             : base(shaders, "ListSurfaceBlocks")

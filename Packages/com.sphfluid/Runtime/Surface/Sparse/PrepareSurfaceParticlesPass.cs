@@ -6,9 +6,9 @@ namespace SphFluid
     /// <summary>
     /// The particles of a sparse surface as its field reads them (Shaders/Surface/Sparse/SurfaceParticles.hlsl).
     /// </summary>
-    sealed class SurfaceParticles : BufferSet
+    internal sealed class SurfaceParticles : BufferSet
     {
-        FluidBuffer kernels, shapes;
+        private FluidBuffer kernels, shapes;
 
         /// <summary>float4 a particle: centre and weight of its kernel.</summary>
         public FluidBuffer Kernels => kernels;
@@ -21,8 +21,7 @@ namespace SphFluid
         public void Reserve(int particles, bool stretched)
         {
             Grow(ref kernels, "SurfaceParticles", particles, 4 * sizeof(float));
-            if (stretched)
-                Grow(ref shapes, "SurfaceShapes", particles, 6 * sizeof(float));
+            if (stretched) Grow(ref shapes, "SurfaceShapes", particles, 6 * sizeof(float));
         }
     }
 
@@ -31,39 +30,39 @@ namespace SphFluid
     /// (Shaders/Surface/Sparse/PrepareSurfaceParticles.compute). The smooth field sums over neighbours, those that the solver
     /// lists where it does; the thesis's field marks by the density that the solver has.
     /// </summary>
-    sealed class PrepareSurfaceParticlesPass : ComputePass
+    internal sealed class PrepareSurfaceParticlesPass : ComputePass
     {
         // Blocks within this distance of a flagged particle are active, in spacings: no iso value in use lies farther
         // out.
-        const float MarkReach = 1.25f;
+        private const float MarkReach = 1.25f;
 
         // Near the surface are particles with fewer neighbours than 24 of the 32.5 that R = 2 dx gives in a lattice,
         // with their mean more than a quarter of a spacing away, or crowded as no liquid is (coincident particles are a
         // drop of their own).
-        const double FewNeighbours = 24.0 / 32.5;
-        const float FarMean = 0.25f;
-        const float HighDensity = 1.5f;
+        private const double FewNeighbours = 24.0 / 32.5;
+        private const float FarMean = 0.25f;
+        private const float HighDensity = 1.5f;
 
         // The topmost layer of a lattice has 0.81 of the rest density, the one below 1; liquid in motion varies by some
         // per cent.
-        const float LowDensity = 0.9f;
+        private const float LowDensity = 0.9f;
 
-        const string SprayKeyword = "SURFACE_SPRAY";
+        private const string SprayKeyword = "SURFACE_SPRAY";
 
-        static readonly int FieldWeight = Id("_FieldWeight");
-        static readonly int Smoothing = Id("_Smoothing");
-        static readonly int LongestShift = Id("_LongestShift");
-        static readonly int WallsClosed = Id("_WallsClosed");
-        static readonly int MarkReachId = Id("_MarkReach");
-        static readonly int FewNeighboursId = Id("_FewNeighbours");
-        static readonly int FarMeanId = Id("_FarMean");
-        static readonly int HighDensityId = Id("_HighDensity");
-        static readonly int LowDensityId = Id("_LowDensity");
-        static readonly int DensityScale = Id("_DensityScale");
-        static readonly int DensityOffset = Id("_DensityOffset");
+        private static readonly int FieldWeight = Id("_FieldWeight");
+        private static readonly int Smoothing = Id("_Smoothing");
+        private static readonly int LongestShift = Id("_LongestShift");
+        private static readonly int WallsClosed = Id("_WallsClosed");
+        private static readonly int MarkReachId = Id("_MarkReach");
+        private static readonly int FewNeighboursId = Id("_FewNeighbours");
+        private static readonly int FarMeanId = Id("_FarMean");
+        private static readonly int HighDensityId = Id("_HighDensity");
+        private static readonly int LowDensityId = Id("_LowDensity");
+        private static readonly int DensityScale = Id("_DensityScale");
+        private static readonly int DensityOffset = Id("_DensityOffset");
 
-        readonly ComputeKernel smooth;
-        readonly ComputeKernel thesis;
+        private readonly ComputeKernel smooth;
+        private readonly ComputeKernel thesis;
 
         public PrepareSurfaceParticlesPass(FluidShaderSet shaders)
             : base(shaders, "PrepareSurfaceParticles")
@@ -86,10 +85,8 @@ namespace SphFluid
                 kernel.SetFloat(cmd, HighDensityId, HighDensity);
                 kernel.SetOut(cmd, particles.Kernels);
                 kernel.SetKeyword(cmd, SprayKeyword, input.Field.HasSpray);
-                if (input.Field.HasSpray)
-                    kernel.SetOut(cmd, spray.Spray);
-                if (input.Field.IsAnisotropic)
-                    kernel.SetOut(cmd, particles.Shapes);
+                if (input.Field.HasSpray) kernel.SetOut(cmd, spray.Spray);
+                if (input.Field.IsAnisotropic) kernel.SetOut(cmd, particles.Shapes);
                 kernel.Set(cmd, input.Blocks.Table);
                 kernel.Set(cmd, input.Blocks.Counters);
                 if (input.Field.IsThesis)
@@ -100,7 +97,7 @@ namespace SphFluid
             }
         }
 
-        void SetThesis(CommandBuffer cmd, in SurfaceInput input)
+        private void SetThesis(CommandBuffer cmd, in SurfaceInput input)
         {
             FluidSolverSettings settings = input.Solver.Settings;
             thesis.SetFloat(cmd, LowDensityId, LowDensity);
@@ -110,7 +107,7 @@ namespace SphFluid
             thesis.SetBuffer(cmd, FluidShaderIds.Density, input.Solver.Density);
         }
 
-        void SetSmooth(CommandBuffer cmd, in SurfaceInput input)
+        private void SetSmooth(CommandBuffer cmd, in SurfaceInput input)
         {
             SurfaceFieldSettings field = input.Field;
             input.Solver.BindNeighbourList(cmd, smooth);
@@ -123,7 +120,7 @@ namespace SphFluid
         }
 
         // What a particle gives to the field at its own place: W(0) dx³ of poly6, or W(0) m/ρ0.
-        static double KernelAtZero(in SurfaceInput input)
+        private static double KernelAtZero(in SurfaceInput input)
         {
             FluidSolverSettings settings = input.Solver.Settings;
             double radius = input.Field.SupportRadius;

@@ -6,17 +6,17 @@ namespace SphFluid
     /// The field at the samples of the present round's blocks, a group each
     /// (Shaders/Surface/Sparse/SampleBlocks.compute).
     /// </summary>
-    sealed class SampleBlocksPass : ComputePass
+    internal sealed class SampleBlocksPass : ComputePass
     {
-        const string FilterOnce = "SURFACE_FILTER_ONCE";
-        const string FilterTwice = "SURFACE_FILTER_TWICE";
+        private const string FilterOnce = "SURFACE_FILTER_ONCE";
+        private const string FilterTwice = "SURFACE_FILTER_TWICE";
 
-        static readonly int FieldReach = Id("_FieldReach");
-        static readonly int KernelExtent = Id("_KernelExtent");
-        static readonly int UnionOffset = Id("_UnionOffset");
-        static readonly int PeriodSteps = Id("_PeriodSteps");
+        private static readonly int FieldReach = Id("_FieldReach");
+        private static readonly int KernelExtent = Id("_KernelExtent");
+        private static readonly int UnionOffset = Id("_UnionOffset");
+        private static readonly int PeriodSteps = Id("_PeriodSteps");
 
-        readonly ComputeKernel kernel;
+        private readonly ComputeKernel kernel;
 
         public SampleBlocksPass(FluidShaderSet shaders)
             : base(shaders, "SampleBlocks")
@@ -41,8 +41,7 @@ namespace SphFluid
                 kernel.SetFloat(cmd, UnionOffset, field.UnionOffset);
                 kernel.SetBuffer(cmd, FluidShaderIds.GridIndices, solver.GridIndices);
                 kernel.Set(cmd, particles.Kernels);
-                if (field.IsAnisotropic)
-                    kernel.Set(cmd, particles.Shapes);
+                if (field.IsAnisotropic) kernel.Set(cmd, particles.Shapes);
                 kernel.Set(cmd, input.Blocks.List);
                 kernel.Set(cmd, input.Blocks.Counters);
                 kernel.Set(cmd, input.Blocks.Samples);

@@ -12,13 +12,13 @@ namespace SphFluid
     /// </summary>
     public sealed class SparseSurface : IDisposable
     {
-        readonly SurfacePasses passes;
-        readonly SurfaceBlocks blocks = new SurfaceBlocks();
-        readonly SurfaceTriangles triangles;
-        readonly SurfaceCapacity capacity;
-        readonly NumberReadback readback, sprayReadback;
-        readonly SurfaceWarnings warnings = new SurfaceWarnings();
-        int recordings;
+        private readonly SurfacePasses passes;
+        private readonly SurfaceBlocks blocks = new SurfaceBlocks();
+        private readonly SurfaceTriangles triangles;
+        private readonly SurfaceCapacity capacity;
+        private readonly NumberReadback readback, sprayReadback;
+        private readonly SurfaceWarnings warnings = new SurfaceWarnings();
+        private int recordings;
 
         /// <summary>A surface; most buffers are made when it is first recorded.</summary>
         /// <param name="shaders">Shader set with the kernels of the sparse surface.</param>
@@ -31,8 +31,10 @@ namespace SphFluid
         internal SparseSurface(FluidShaderSet shaders, int firstBlocks, int firstTriangles)
         {
             if (shaders == null)
+            {
                 throw new ArgumentNullException(nameof(shaders),
                     "A sparse surface needs a shader set: assign one in the fluid profile.");
+            }
             passes = new SurfacePasses(shaders);
             triangles = new SurfaceTriangles();
             capacity = new SurfaceCapacity(firstBlocks, firstTriangles);
@@ -90,8 +92,7 @@ namespace SphFluid
         public void Record(CommandBuffer cmd, FluidSolver solver, in SurfaceFieldSettings settings, SurfaceGrid grid,
             SurfaceWalls walls)
         {
-            if (cmd == null)
-                throw new ArgumentNullException(nameof(cmd));
+            if (cmd == null) throw new ArgumentNullException(nameof(cmd));
             Require.Known(walls, nameof(walls));
             Reserve(solver, settings, grid);
             RecordReserved(cmd, solver, settings, grid, walls);
@@ -104,8 +105,7 @@ namespace SphFluid
         internal void Reserve(FluidSolver solver, in SurfaceFieldSettings settings, SurfaceGrid grid)
         {
             Check(solver, settings, grid);
-            if (!SystemInfo.supportsAsyncGPUReadback && blocks.Counters != null)
-                readback.ReadNow(blocks.Counters);
+            if (!SystemInfo.supportsAsyncGPUReadback && blocks.Counters != null) readback.ReadNow(blocks.Counters);
             capacity.Reserve(blocks, triangles, grid, settings, solver.ParticleCount, Status);
             passes.Reserve(solver, settings);
         }
@@ -208,12 +208,10 @@ namespace SphFluid
             triangles.Dispose();
         }
 
-        static void Check(FluidSolver solver, in SurfaceFieldSettings settings, in SurfaceGrid grid)
+        private static void Check(FluidSolver solver, in SurfaceFieldSettings settings, in SurfaceGrid grid)
         {
-            if (solver == null)
-                throw new ArgumentNullException(nameof(solver), "A surface needs a running solver.");
-            if (grid.Cells.x < 1)
-                throw new ArgumentException("A sparse surface needs a grid that was made with a size.", nameof(grid));
+            if (solver == null) throw new ArgumentNullException(nameof(solver), "A surface needs a running solver.");
+            if (grid.Cells.x < 1) throw new ArgumentException("A sparse surface needs a grid that was made with a size.", nameof(grid));
             if (!settings.IsSet)
             {
                 throw new ArgumentException(
@@ -227,19 +225,18 @@ namespace SphFluid
             }
         }
 
-        void ThrowIfObstructed()
+        private void ThrowIfObstructed()
         {
             string obstacle = Status.IsComplete ? null : capacity.Obstacle(Status);
-            if (obstacle != null)
-                throw new FluidDeviceException(obstacle);
+            if (obstacle != null) throw new FluidDeviceException(obstacle);
         }
 
-        void UpdateCounts(uint[] counters)
+        private void UpdateCounts(uint[] counters)
         {
             Status = new SurfaceStatus(counters);
             warnings.Check(Status, capacity.Obstacle(Status));
         }
 
-        void TakeSpray(uint[] arguments) => SprayCount = SprayVertices > 0 ? arguments[0] / SprayVertices : 0;
+        private void TakeSpray(uint[] arguments) => SprayCount = SprayVertices > 0 ? arguments[0] / SprayVertices : 0;
     }
 }

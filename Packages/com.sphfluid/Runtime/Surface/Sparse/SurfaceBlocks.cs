@@ -7,7 +7,7 @@ namespace SphFluid
     /// <summary>
     /// Slots of the sparse surface's counters on the GPU: Shaders/Surface/Sparse/SurfaceCounters.hlsl.
     /// </summary>
-    static class SurfaceCounters
+    internal static class SurfaceCounters
     {
         public const int Slots = 16;
 
@@ -52,7 +52,7 @@ namespace SphFluid
     /// blocks, and slots (Shaders/Surface/Sparse/SurfaceBlocks.hlsl). Cubes and samples count the ring that closes the
     /// surface at the walls.
     /// </summary>
-    sealed class SurfaceBlocks : BufferSet
+    internal sealed class SurfaceBlocks : BufferSet
     {
         /// <summary>Cubes of a block along an axis.</summary>
         public const int CubesPerSide = 8;
@@ -64,15 +64,15 @@ namespace SphFluid
         public const int SamplesPerBlock = SamplesPerSide * SamplesPerSide * SamplesPerSide;
 
         // First vertex, vertex count, first index, index count.
-        const int RangeStride = 4 * sizeof(uint);
+        private const int RangeStride = 4 * sizeof(uint);
 
-        static readonly int BlockCountsId = Shader.PropertyToID("_BlockCounts");
-        static readonly int BlockCapacityId = Shader.PropertyToID("_BlockCapacity");
+        private static readonly int BlockCountsId = Shader.PropertyToID("_BlockCounts");
+        private static readonly int BlockCapacityId = Shader.PropertyToID("_BlockCapacity");
 
         // Copied when recorded, so one array serves; command buffers are recorded on the main thread.
-        [OutlivesPlay("it is filled anew for each use")] static readonly int[] CountsValue = new int[3];
+        [OutlivesPlay("it is filled anew for each use")] private static readonly int[] CountsValue = new int[3];
 
-        FluidBuffer table, list, samples, ranges, counters, roundArguments;
+        private FluidBuffer table, list, samples, ranges, counters, roundArguments;
 
         /// <summary>Blocks along each axis; zero before <see cref="Reserve"/>.</summary>
         public Vector3Int Counts { get; private set; }
@@ -121,11 +121,15 @@ namespace SphFluid
         public void Reserve(Vector3Int cells, int capacity)
         {
             if (cells.x < 1 || cells.y < 1 || cells.z < 1)
+            {
                 throw new ArgumentOutOfRangeException(nameof(cells), cells,
                     "A surface grid has one cell or more along each axis.");
+            }
             if (capacity < 1)
+            {
                 throw new ArgumentOutOfRangeException(nameof(capacity), capacity,
                     "A sparse surface has one slot or more.");
+            }
             if (capacity > DeviceCapacity)
             {
                 throw new FluidDeviceException(
@@ -155,6 +159,6 @@ namespace SphFluid
         }
 
         // 64 cells have 66 cubes, 9 blocks.
-        static int CountOver(int cells) => (cells + 2 + CubesPerSide - 1) / CubesPerSide;
+        private static int CountOver(int cells) => (cells + 2 + CubesPerSide - 1) / CubesPerSide;
     }
 }

@@ -7,24 +7,24 @@ namespace SphFluid
     /// How large the buffers of a sparse surface are. At first by the number of particles; once they are three quarters
     /// full, half as much again as the surface was found to need, up to a limit.
     /// </summary>
-    sealed class SurfaceCapacity
+    internal sealed class SurfaceCapacity
     {
         // Splashes have 2 to 9 triangles a particle at 1 to 0.5 spacings a cell, large pools less than one: they grow
         // with the square of spacings a cell (surface-quality.md of com.sphfluid.validation).
-        const int SpareTriangles = 65536;
-        const int SplashParticles = 131072;
-        const float SplashTriangles = 2.25f;
-        const float PoolTriangles = 0.8f;
+        private const int SpareTriangles = 65536;
+        private const int SplashParticles = 131072;
+        private const float SplashTriangles = 2.25f;
+        private const float PoolTriangles = 0.8f;
 
         // Blocks repeat the vertices on their faces: 0.64 vertices a triangle in pools, more in spray.
-        const float VerticesPerTriangle = 0.75f;
+        private const float VerticesPerTriangle = 0.75f;
 
         // Pools of 16 thousand to a million particles fill 0.4 to 0.8 of these; spray grows into more.
-        const int SpareBlocks = 256;
-        const float BlocksPerParticle = 0.006f;
+        private const int SpareBlocks = 256;
+        private const float BlocksPerParticle = 0.006f;
 
-        readonly int firstBlocks;
-        readonly int firstTriangles;
+        private readonly int firstBlocks;
+        private readonly int firstTriangles;
 
         /// <param name="firstBlocks">Blocks at first; 0: by the number of particles.</param>
         /// <param name="firstTriangles">Triangles at first; 0: by the number of particles.</param>
@@ -37,11 +37,11 @@ namespace SphFluid
         /// <summary>Most triangles; 0: as many as the device holds.</summary>
         public int TriangleBudget { get; set; }
 
-        int TriangleLimit => TriangleBudget > 0 ? Math.Min(TriangleBudget, DeviceTriangleLimit) : DeviceTriangleLimit;
+        private int TriangleLimit => TriangleBudget > 0 ? Math.Min(TriangleBudget, DeviceTriangleLimit) : DeviceTriangleLimit;
 
-        int VertexLimit => (int)Math.Min(SurfaceTriangles.DeviceVertexLimit, 3L * TriangleLimit);
+        private int VertexLimit => (int)Math.Min(SurfaceTriangles.DeviceVertexLimit, 3L * TriangleLimit);
 
-        static int DeviceTriangleLimit => SurfaceTriangles.DeviceIndexLimit / 3;
+        private static int DeviceTriangleLimit => SurfaceTriangles.DeviceIndexLimit / 3;
 
         /// <summary>Grows the buffers by what the last surface needed.</summary>
         public void Reserve(SurfaceBlocks blocks, SurfaceTriangles triangles, in SurfaceGrid grid,
@@ -84,10 +84,10 @@ namespace SphFluid
             return null;
         }
 
-        static long StartBlocks(int particles, float cellsPerSpacing) =>
+        private static long StartBlocks(int particles, float cellsPerSpacing) =>
             SpareBlocks + (long)(BlocksPerParticle * cellsPerSpacing * cellsPerSpacing * particles);
 
-        static long StartTriangles(int particles, float cellsPerSpacing)
+        private static long StartTriangles(int particles, float cellsPerSpacing)
         {
             int splash = Math.Min(particles, SplashParticles);
             float perCell = SplashTriangles * splash + PoolTriangles * (particles - splash);
@@ -96,7 +96,7 @@ namespace SphFluid
 
         // Before the buffer is full, as a splash grows while the count of an earlier frame is read back. E.g. 80 of 100
         // become 120.
-        static int Grown(int capacity, long start, long used, int limit)
+        private static int Grown(int capacity, long start, long used, int limit)
         {
             long grown = 4 * used > 3L * capacity ? used + used / 2 : capacity;
             return (int)Math.Min(Math.Max(grown, start), limit);

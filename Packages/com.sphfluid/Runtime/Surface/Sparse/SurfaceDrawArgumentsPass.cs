@@ -6,13 +6,13 @@ namespace SphFluid
     /// Decides on the GPU whether the surface fits the buffers, and so how much is emitted and drawn; what does not fit
     /// leaves the last complete surface alone (Shaders/Surface/Sparse/SurfaceDrawArguments.compute).
     /// </summary>
-    sealed class SurfaceDrawArgumentsPass : ComputePass
+    internal sealed class SurfaceDrawArgumentsPass : ComputePass
     {
-        static readonly int BlockCapacity = Id("_BlockCapacity");
-        static readonly int VertexCapacity = Id("_VertexCapacity");
-        static readonly int IndexCapacity = Id("_IndexCapacity");
+        private static readonly int BlockCapacity = Id("_BlockCapacity");
+        private static readonly int VertexCapacity = Id("_VertexCapacity");
+        private static readonly int IndexCapacity = Id("_IndexCapacity");
 
-        readonly ComputeKernel kernel;
+        private readonly ComputeKernel kernel;
 
         public SurfaceDrawArgumentsPass(FluidShaderSet shaders)
             : base(shaders, "SurfaceDrawArguments")

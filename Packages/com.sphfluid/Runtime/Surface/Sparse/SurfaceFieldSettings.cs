@@ -12,17 +12,17 @@ namespace SphFluid
     public readonly struct SurfaceFieldSettings
     {
         // Radius of the smooth field's kernel in spacings: 33 particles of a lattice.
-        const float SmoothRatio = 2f;
+        private const float SmoothRatio = 2f;
 
         // Largest edge of a cell in radii: a lone particle's kernel must reach a sample.
-        const float LargestCellRatio = 1f;
+        private const float LargestCellRatio = 1f;
 
         // Axes of a stretched kernel differ by 4 at most and leave its volume: 4 / 4^(1/3) is the longest in R.
-        const float LongestAxis = 2.52f;
+        private const float LongestAxis = 2.52f;
 
-        readonly FieldKind kind;
+        private readonly FieldKind kind;
 
-        SurfaceFieldSettings(float spacing, float cellSize, float supportRadius, in Preset preset, float isoValue,
+        private SurfaceFieldSettings(float spacing, float cellSize, float supportRadius, in Preset preset, float isoValue,
             FieldKind kind, bool wallCompletion)
         {
             Spacing = spacing;
@@ -37,7 +37,7 @@ namespace SphFluid
             HasSpray = false;
         }
 
-        SurfaceFieldSettings(in SurfaceFieldSettings other, bool hasSpray)
+        private SurfaceFieldSettings(in SurfaceFieldSettings other, bool hasSpray)
         {
             this = other;
             HasSpray = hasSpray;
@@ -141,15 +141,17 @@ namespace SphFluid
             float isoValue = 0.5f, bool wallCompletion = true)
         {
             if (!(isoValue > 0f) || float.IsInfinity(isoValue))
+            {
                 throw new ArgumentOutOfRangeException(nameof(isoValue),
                     $"The iso value is a density factor greater than 0, not {isoValue}.");
+            }
             Vector3 cell = grid.CellSize;
             float edge = Mathf.Max(cell.x, Mathf.Max(cell.y, cell.z));
             return new SurfaceFieldSettings(settings.Spacing, edge, settings.SupportRadius, default, isoValue,
                 FieldKind.Thesis, wallCompletion);
         }
 
-        static SurfaceFieldSettings Smooth(in FluidSolverSettings settings, in Preset preset, float cellSizeInSpacings,
+        private static SurfaceFieldSettings Smooth(in FluidSolverSettings settings, in Preset preset, float cellSizeInSpacings,
             FieldKind kind)
         {
             float dx = settings.Spacing;
@@ -157,7 +159,8 @@ namespace SphFluid
             if (!(cellSizeInSpacings >= SurfaceIsoCalibration.LeastCell) || cellSizeInSpacings * dx > LargestCellRatio * radius)
             {
                 throw new ArgumentOutOfRangeException(nameof(cellSizeInSpacings),
-                    $"Cells of the surface have an edge of {SurfaceIsoCalibration.LeastCell} to {LargestCellRatio * radius / dx:G3} particle " +
+                    $"Cells of the surface have an edge of {SurfaceIsoCalibration.LeastCell} to {LargestCellRatio * radius / dx:G3} " +
+                    "particle " +
                     $"spacings, the radius of the field's kernel, not {cellSizeInSpacings}.");
             }
             float iso = SurfaceIsoCalibration.IsoValue(radius / dx, cellSizeInSpacings, preset.Smoothing,
@@ -165,7 +168,7 @@ namespace SphFluid
             return new SurfaceFieldSettings(dx, cellSizeInSpacings * dx, radius, preset, iso, kind, true);
         }
 
-        enum FieldKind
+        private enum FieldKind
         {
             Smooth,
             Thesis,
@@ -174,9 +177,9 @@ namespace SphFluid
 
         // Chosen by surface-quality.md of com.sphfluid.validation: the filter flattens, smoothing lets coarse cells
         // keep thin parts.
-        readonly struct Preset
+        private readonly struct Preset
         {
-            Preset(float cellRatio, float smoothing, int filterPasses, float unionOffset)
+            private Preset(float cellRatio, float smoothing, int filterPasses, float unionOffset)
             {
                 CellRatio = cellRatio;
                 Smoothing = smoothing;

@@ -15,25 +15,26 @@ namespace SphFluid
 
         // Positions of the pool against the grid: along z they divide a cell evenly; across, any incommensurate ones
         // serve.
-        const int Phases = 6;
-        const double PhaseX = 0.137 * 1.3, PhaseY = 0.731;
+        private const int Phases = 6;
+        private const double PhaseX = 0.137 * 1.3, PhaseY = 0.731;
 
         // Columns of samples whose heights are averaged: a square of 8 spacings, but no more columns than is quick.
-        const double ColumnsFrom = 6.0, ColumnsTo = 14.0;
-        const int MostColumns = 24;
+        private const double ColumnsFrom = 6.0, ColumnsTo = 14.0;
+        private const int MostColumns = 24;
 
         // Layers of the pool, deep enough that the lowest do not matter, and halvings of the interval from 0 to 1.
-        const int Layers = 10;
-        const int Halvings = 26;
+        private const int Layers = 10;
+        private const int Halvings = 26;
 
         // Depth below the last layer down to which the surface is searched.
-        const double DeepestTop = 1.5;
+        private const double DeepestTop = 1.5;
 
         // Keys are rounded so that sizes that differ in the last bits share a value.
-        const double KeySteps = 4096.0;
+        private const double KeySteps = 4096.0;
 
         [OutlivesPlay("values follow from their keys")]
-        static readonly Dictionary<(long, long, long, int, long, bool), float> Known = new Dictionary<(long, long, long, int, long, bool), float>();
+        private static readonly Dictionary<(long, long, long, int, long, bool), float> Known =
+            new Dictionary<(long, long, long, int, long, bool), float>();
 
         /// <summary>The iso value of a smooth field.</summary>
         /// <param name="supportRatio">R/dx of the field's kernel, 1 to 64.</param>
@@ -66,9 +67,9 @@ namespace SphFluid
             }
         }
 
-        static long Round(double value) => (long)Math.Round(value * KeySteps);
+        private static long Round(double value) => (long)Math.Round(value * KeySteps);
 
-        static double Compute(LatticePool pool, double cell, int filterPasses, double unionOffset)
+        private static double Compute(LatticePool pool, double cell, int filterPasses, double unionOffset)
         {
             var columns = new List<double[]>();
             var bottoms = new List<double>();
@@ -92,7 +93,7 @@ namespace SphFluid
 
         // Field values of columns of samples from below the surface upwards; bottoms: height of each column's first
         // sample above the last layer.
-        static void AddColumns(LatticePool pool, double cell, int passes, double unionOffset, double shiftX,
+        private static void AddColumns(LatticePool pool, double cell, int passes, double unionOffset, double shiftX,
             double shiftY, double shiftZ, List<double[]> columns, List<double> bottoms)
         {
             int firstX = (int)Math.Ceiling(ColumnsFrom / cell), firstY = firstX;
@@ -106,21 +107,21 @@ namespace SphFluid
                 for (int y = 0; y < ny; y++)
                 {
                     for (int z = 0; z < nz; z++)
+                    {
                         raw[x, y, z] = pool.At((firstX - passes + x) * cell - shiftX,
                             (firstY - passes + y) * cell - shiftY, (firstZ + z) * cell - shiftZ);
+                    }
                 }
             }
 
             double[,,] filtered = raw;
-            for (int pass = 0; pass < passes; pass++)
-                filtered = Filter(filtered);
+            for (int pass = 0; pass < passes; pass++) filtered = Filter(filtered);
             for (int x = passes; x < nx - passes; x++)
             {
                 for (int y = passes; y < ny - passes; y++)
                 {
                     var column = new double[nz];
-                    for (int z = 0; z < nz; z++)
-                        column[z] = Math.Max(filtered[x, y, z], passes > 0 ? raw[x, y, z] - unionOffset : 0.0);
+                    for (int z = 0; z < nz; z++) column[z] = Math.Max(filtered[x, y, z], passes > 0 ? raw[x, y, z] - unionOffset : 0.0);
                     columns.Add(column);
                     bottoms.Add(firstZ * cell - shiftZ);
                 }
@@ -128,7 +129,7 @@ namespace SphFluid
         }
 
         // 1 2 1 along each axis; the outermost values stay and are not used.
-        static double[,,] Filter(double[,,] source)
+        private static double[,,] Filter(double[,,] source)
         {
             double[,,] result = (double[,,])source.Clone();
             for (int axis = 0; axis < 3; axis++)
@@ -151,15 +152,14 @@ namespace SphFluid
             return result;
         }
 
-        static double MeanHeight(List<double[]> columns, List<double> bottoms, double cell, double iso)
+        private static double MeanHeight(List<double[]> columns, List<double> bottoms, double cell, double iso)
         {
             double sum = 0.0;
             for (int i = 0; i < columns.Count; i++)
             {
                 double[] column = columns[i];
                 int z = column.Length - 2;
-                while (z > 0 && column[z] <= iso)
-                    z--;
+                while (z > 0 && column[z] <= iso) z--;
                 sum += bottoms[i] + cell * (z + (column[z] - iso) / (column[z] - column[z + 1]));
             }
 
@@ -171,19 +171,18 @@ namespace SphFluid
     /// The raw field of a pool of lattice layers at z = 0, −1, −2 …, endless across, its particles weighted, moved and
     /// stretched as Shaders/Surface/Sparse/PrepareSurfaceParticles.compute has it. Lengths in spacings.
     /// </summary>
-    sealed class LatticePool
+    internal sealed class LatticePool
     {
         // SHAPE_RATIO in Shaders/Surface/Sparse/KernelShapes.hlsl.
-        const double ShapeRatio = 4.0;
+        private const double ShapeRatio = 4.0;
 
-        readonly Layer[] layers;
+        private readonly Layer[] layers;
 
         public LatticePool(double radius, double smoothing, int layerCount, bool anisotropic)
         {
             Radius = radius;
             layers = new Layer[layerCount];
-            for (int i = 0; i < layerCount; i++)
-                layers[i] = new Layer(radius, i, smoothing, anisotropic);
+            for (int i = 0; i < layerCount; i++) layers[i] = new Layer(radius, i, smoothing, anisotropic);
         }
 
         /// <summary>R of the kernel.</summary>
@@ -193,14 +192,13 @@ namespace SphFluid
         public double At(double x, double y, double z)
         {
             double sum = 0.0;
-            foreach (Layer layer in layers)
-                sum += layer.At(x, y, z);
+            foreach (Layer layer in layers) sum += layer.At(x, y, z);
             return sum;
         }
 
-        readonly struct Layer
+        private readonly struct Layer
         {
-            readonly double weight, height, across, along; // across the surface, along it: radii of the kernel
+            private readonly double weight, height, across, along; // across the surface, along it: radii of the kernel
 
             public Layer(double radius, int depth, double smoothing, bool anisotropic)
             {
@@ -255,7 +253,7 @@ namespace SphFluid
             }
 
             // W(0) dx³ of poly6.
-            static double WeightAtRest(double radius) => 315.0 / (64.0 * Math.PI * radius * radius * radius);
+            private static double WeightAtRest(double radius) => 315.0 / (64.0 * Math.PI * radius * radius * radius);
         }
     }
 }

@@ -5,13 +5,13 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>What the passes of a sparse surface work on.</summary>
-    readonly struct SurfaceInput
+    internal readonly struct SurfaceInput
     {
-        const string Anisotropic = "SURFACE_ANISOTROPIC";
+        private const string Anisotropic = "SURFACE_ANISOTROPIC";
 
-        static readonly int FieldStep = Shader.PropertyToID("_FieldStep");
-        static readonly int FieldRadius = Shader.PropertyToID("_FieldRadius");
-        static readonly int WallCompletion = Shader.PropertyToID("_WallCompletion");
+        private static readonly int FieldStep = Shader.PropertyToID("_FieldStep");
+        private static readonly int FieldRadius = Shader.PropertyToID("_FieldRadius");
+        private static readonly int WallCompletion = Shader.PropertyToID("_WallCompletion");
 
         public SurfaceInput(FluidSolver solver, in SurfaceFieldSettings field, in SurfaceGrid grid, SurfaceWalls walls,
             SurfaceBlocks blocks, int number = 0)
@@ -71,17 +71,17 @@ namespace SphFluid
     /// the field in them, count their triangles, emit. Nothing is read back. <see cref="SurfaceDrawing"/> draws the
     /// triangles, <see cref="FilledMesh"/> copies them into a mesh.
     /// </summary>
-    sealed class SurfacePasses : IDisposable
+    internal sealed class SurfacePasses : IDisposable
     {
-        readonly ClearSurfaceBlocksPass clear;
-        readonly PrepareSurfaceParticlesPass prepare;
-        readonly ListSprayPass listSpray;
-        readonly ListSurfaceBlocksPass list;
-        readonly SampleBlocksPass sample;
-        readonly CountBlocksPass count;
-        readonly SurfaceDrawArgumentsPass drawArguments;
-        readonly EmitBlocksPass emit;
-        readonly FluidBuffer tables;
+        private readonly ClearSurfaceBlocksPass clear;
+        private readonly PrepareSurfaceParticlesPass prepare;
+        private readonly ListSprayPass listSpray;
+        private readonly ListSurfaceBlocksPass list;
+        private readonly SampleBlocksPass sample;
+        private readonly CountBlocksPass count;
+        private readonly SurfaceDrawArgumentsPass drawArguments;
+        private readonly EmitBlocksPass emit;
+        private readonly FluidBuffer tables;
 
         /// <exception cref="FluidDeviceException">The device cannot run a kernel.</exception>
         public SurfacePasses(FluidShaderSet shaders)
@@ -128,8 +128,7 @@ namespace SphFluid
         public void Reserve(FluidSolver solver, in SurfaceFieldSettings field)
         {
             Particles.Reserve(solver.ParticleCount, field.IsAnisotropic);
-            if (field.HasSpray)
-                Spray.Reserve(solver.ParticleCount);
+            if (field.HasSpray) Spray.Reserve(solver.ParticleCount);
         }
 
         /// <summary>From the particles to the samples of the blocks that they mark.</summary>
@@ -139,8 +138,7 @@ namespace SphFluid
             input.Solver.RecordNeighbourSetup(cmd);
             clear.Record(cmd, input.Blocks, input.Number);
             prepare.Record(cmd, input, Particles, Spray);
-            if (input.Field.HasSpray)
-                listSpray.Record(cmd, input.Solver, Spray, SprayVertices);
+            if (input.Field.HasSpray) listSpray.Record(cmd, input.Solver, Spray, SprayVertices);
             list.Record(cmd, input.Blocks);
             RecordSamples(cmd, input);
         }
@@ -173,7 +171,7 @@ namespace SphFluid
             Spray.Dispose();
         }
 
-        void RecordRound(CommandBuffer cmd, in SurfaceInput input, bool late)
+        private void RecordRound(CommandBuffer cmd, in SurfaceInput input, bool late)
         {
             list.RecordRound(cmd, input.Blocks, late);
             sample.Record(cmd, input, Particles);

@@ -43,12 +43,12 @@ namespace SphFluid
     }
 
     /// <summary>What a user must know about a sparse surface: each kind of problem is reported once.</summary>
-    sealed class SurfaceWarnings
+    internal sealed class SurfaceWarnings
     {
-        readonly Queue<string> pending = new Queue<string>();
-        bool obstacleReported;
-        bool gapsReported;
-        bool nonFiniteReported;
+        private readonly Queue<string> pending = new Queue<string>();
+        private bool obstacleReported;
+        private bool gapsReported;
+        private bool nonFiniteReported;
 
         /// <summary>The next sentence that nobody took; null when there is none.</summary>
         public string Dequeue() => pending.Count > 0 ? pending.Dequeue() : null;
@@ -58,7 +58,9 @@ namespace SphFluid
         public void Check(in SurfaceStatus status, string obstacle)
         {
             if (!status.IsComplete && obstacle != null)
+            {
                 Report(ref obstacleReported, obstacle + " Until then the last complete surface stays.");
+            }
             if (status.OpenFaces > 0)
             {
                 Report(ref gapsReported,
@@ -73,10 +75,9 @@ namespace SphFluid
             }
         }
 
-        void Report(ref bool reported, string sentence)
+        private void Report(ref bool reported, string sentence)
         {
-            if (reported)
-                return;
+            if (reported) return;
             reported = true;
             pending.Enqueue(sentence);
         }

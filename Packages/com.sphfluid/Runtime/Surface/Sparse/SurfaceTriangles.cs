@@ -9,12 +9,12 @@ namespace SphFluid
     /// A vertex of the sparse surface; mirrors the struct of Shaders/Surface/Sparse/PackedSurfaceVertex.hlsl.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
-    struct PackedSurfaceVertex
+    internal struct PackedSurfaceVertex
     {
         /// <summary>Bytes of one element.</summary>
         public const int Stride = 16;
 
-        const float Largest = 32767f;
+        private const float Largest = 32767f;
 
         /// <summary>Position [m], simulation space.</summary>
         public Vector3 Position;
@@ -39,19 +39,19 @@ namespace SphFluid
     /// <summary>
     /// The triangles of a sparse surface on the GPU: vertices, indices and the arguments of an indexed indirect draw.
     /// </summary>
-    sealed class SurfaceTriangles : BufferSet
+    internal sealed class SurfaceTriangles : BufferSet
     {
-        const int DrawArgumentCount = 5;
-        const int DispatchArgumentCount = 3;
+        private const int DrawArgumentCount = 5;
+        private const int DispatchArgumentCount = 3;
 
         // Of a block's range, SurfaceBlocks.Ranges.
-        const int RangeLength = 4;
-        const int FirstIndex = 2;
-        const int IndexCount = 3;
+        private const int RangeLength = 4;
+        private const int FirstIndex = 2;
+        private const int IndexCount = 3;
 
-        static readonly uint[] NothingDrawn = new uint[DrawArgumentCount];
+        private static readonly uint[] NothingDrawn = new uint[DrawArgumentCount];
 
-        FluidBuffer vertices, indices;
+        private FluidBuffer vertices, indices;
 
         public SurfaceTriangles()
         {
@@ -94,8 +94,7 @@ namespace SphFluid
         {
             VertexCapacity = vertexCapacity;
             IndexCapacity = indexCapacity;
-            if (vertices != null && vertices.Count >= vertexCapacity && indices.Count >= indexCapacity)
-                return;
+            if (vertices != null && vertices.Count >= vertexCapacity && indices.Count >= indexCapacity) return;
             Grow(ref vertices, "SurfaceVertices", vertexCapacity, PackedSurfaceVertex.Stride);
             Grow(ref indices, "SurfaceIndices", indexCapacity, sizeof(uint),
                 GraphicsBuffer.Target.Index | GraphicsBuffer.Target.Raw);
@@ -125,17 +124,19 @@ namespace SphFluid
         }
 
         // Runs of indices, those of the block with the lowest number first.
-        static (int First, int Count)[] InBlockOrder(int[] blockNumbers, uint[] ranges)
+        private static (int First, int Count)[] InBlockOrder(int[] blockNumbers, uint[] ranges)
         {
             var runs = new (int First, int Count)[blockNumbers.Length];
             for (int slot = 0; slot < runs.Length; slot++)
+            {
                 runs[slot] = ((int)ranges[RangeLength * slot + FirstIndex],
                     (int)ranges[RangeLength * slot + IndexCount]);
+            }
             Array.Sort(blockNumbers, runs);
             return runs;
         }
 
-        static SurfaceMesh Weld(PackedSurfaceVertex[] read, int[] corners, (int First, int Count)[] runs)
+        private static SurfaceMesh Weld(PackedSurfaceVertex[] read, int[] corners, (int First, int Count)[] runs)
         {
             var numbers = new Dictionary<(int, int, int), int>(read.Length);
             var shared = new int[read.Length];
@@ -148,15 +149,14 @@ namespace SphFluid
                 for (int i = first; i < first + count; i++)
                 {
                     ref int number = ref shared[corners[i]];
-                    if (number < 0)
-                        number = NumberOf(read[corners[i]], numbers, positions, normals);
+                    if (number < 0) number = NumberOf(read[corners[i]], numbers, positions, normals);
                     welded.Add(number);
                 }
             }
             return new SurfaceMesh(positions.ToArray(), normals.ToArray(), welded.ToArray());
         }
 
-        static int NumberOf(in PackedSurfaceVertex vertex, Dictionary<(int, int, int), int> numbers,
+        private static int NumberOf(in PackedSurfaceVertex vertex, Dictionary<(int, int, int), int> numbers,
             List<Vector3> positions, List<Vector3> normals)
         {
             Vector3 p = vertex.Position;

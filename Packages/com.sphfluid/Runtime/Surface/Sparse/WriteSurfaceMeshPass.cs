@@ -7,19 +7,19 @@ namespace SphFluid
     /// Copies a sparse surface into the vertex and index buffers of a mesh; what the surface does not use becomes
     /// triangles without area (Shaders/Surface/Sparse/WriteSurfaceMesh.compute).
     /// </summary>
-    sealed class WriteSurfaceMeshPass : ComputePass
+    internal sealed class WriteSurfaceMeshPass : ComputePass
     {
-        static readonly int SurfaceIndices = Id("_SurfaceIndices");
-        static readonly int SurfaceDrawArguments = Id("_SurfaceDrawArguments");
-        static readonly int MeshVertices = Id("_MeshVertices");
-        static readonly int MeshIndices = Id("_MeshIndices");
-        static readonly int SurfaceToMesh = Id("_SurfaceToMesh");
-        static readonly int NormalToMesh = Id("_NormalToMesh");
-        static readonly int MeshVertexCount = Id("_MeshVertexCount");
-        static readonly int MeshTriangleCount = Id("_MeshTriangleCount");
-        static readonly int MeshMirrored = Id("_MeshMirrored");
+        private static readonly int SurfaceIndices = Id("_SurfaceIndices");
+        private static readonly int SurfaceDrawArguments = Id("_SurfaceDrawArguments");
+        private static readonly int MeshVertices = Id("_MeshVertices");
+        private static readonly int MeshIndices = Id("_MeshIndices");
+        private static readonly int SurfaceToMesh = Id("_SurfaceToMesh");
+        private static readonly int NormalToMesh = Id("_NormalToMesh");
+        private static readonly int MeshVertexCount = Id("_MeshVertexCount");
+        private static readonly int MeshTriangleCount = Id("_MeshTriangleCount");
+        private static readonly int MeshMirrored = Id("_MeshMirrored");
 
-        readonly ComputeKernel kernel;
+        private readonly ComputeKernel kernel;
 
         /// <exception cref="FluidDeviceException">The kernel is missing, or the device cannot run it.</exception>
         public WriteSurfaceMeshPass(FluidShaderSet shaders)

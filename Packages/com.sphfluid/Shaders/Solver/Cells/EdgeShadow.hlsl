@@ -1,11 +1,12 @@
 #ifndef SPHFLUID_EDGE_SHADOW
 #define SPHFLUID_EDGE_SHADOW
 
-// The share of a particle's kernel that lies behind triangles, as sums over their edges. A direction in which the wall is met at the distance s
-// adds Q(s) = (L(s) - s L'(s)) / 2 pi, L the profile of a plane (FaceWalls.hlsl), so that a whole plane adds L(d). For a triangle at d with the
-// unit normal n towards the particle, an edge from a to b, t along it, tau from the foot of the particle on its line, which is at h:
+// The share of a particle's kernel that lies behind triangles, as sums over their edges. A direction in which the wall is met at the
+// distance s adds Q(s) = (L(s) - s L'(s)) / 2 pi, L the profile of a plane (FaceWalls.hlsl), so that a whole plane adds L(d). For a
+// triangle at d with the unit normal n towards the particle, an edge from a to b, t along it, tau from the foot of the particle on its
+// line, which is at h:
 //   s^2 = h^2 + tau^2,  w = n . (a x t),  dphi = w dtau / (w^2 + tau^2),  m = t x n
-//   L      = 1/2pi sum int [L(d) - (d/s) L(s)] dphi = 1/2pi sum { L(d) int (1 - d/s) dphi, which is exact, + int (d/s) [L(d) - L(s)] dphi },
+// L = 1/2pi sum int [L(d) - (d/s) L(s)] dphi = 1/2pi sum { L(d) int (1 - d/s) dphi, which is exact, + int (d/s) [L(d) - L(s)] dphi },
 //            where both end as d goes to 0: nothing comes or goes at once when the particle crosses the plane beside the triangle
 //   grad L = 1/2pi sum { n int [L'(d) - L'(s)] dphi + (t x h) int (L(s) - s L'(s)) / s^3 dtau }
 //   Hess L = 1/2pi sum n (x) { n int [L''(d) - (d/s) L''(s)] dphi + m int L''(s)/s dtau },  its part that neighbours' edges do not cancel
@@ -46,7 +47,8 @@ Profile PlaneProfile(float d)
     return profile;
 }
 
-// Nearer than liquid rests the slope stays: where it is steeper a thin film on a curved wall is at the border of what the time step bears, and never rests.
+// Nearer than liquid rests the slope stays: where it is steeper a thin film on a curved wall is at the border of what the time step bears,
+// and never rests.
 float _SteepestWall; // dx
 
 Profile ProfileAt(float d)
@@ -91,7 +93,8 @@ static const float2 GAUSS[10] =
     float2(-0.86113631, 0.34785485), float2(-0.33998104, 0.65214515), float2(0.33998104, 0.65214515), float2(0.86113631, 0.34785485)
 };
 
-// Corners relative to the particle, counter-clockwise about n as it sees them. inPlane: bits for the edges ab, bc, ca whose other triangle lies in the same plane.
+// Corners relative to the particle, counter-clockwise about n as it sees them. inPlane: bits for the edges ab, bc, ca whose other triangle
+// lies in the same plane.
 Shadow ShadowOf(float3 a, float3 b, float3 c, float3 n, float d, uint inPlane)
 {
     const Profile plane = ProfileAt(d);

@@ -1,13 +1,14 @@
 #ifndef SPHFLUID_WALL_ENERGY
 #define SPHFLUID_WALL_ENERGY
 
-// The share of a particle's kernel that lies behind walls, triangles and faces of the domain together: one function of place, whose gradient is
-// the walls' push, so that walls at rest do no work. Lengths are over R, gradients and Hessians per R and R^2.
+// The share of a particle's kernel that lies behind walls, triangles and faces of the domain together: one function of place, whose
+// gradient is the walls' push, so that walls at rest do no work. Lengths are over R, gradients and Hessians per R and R^2.
 #include "TriangleSweep.hlsl"
 #include "EdgeShadow.hlsl"
 #include "MeshWalls.hlsl"
 
-StructuredBuffer<uint> _TriangleEdges; // of each triangle: three bits for edges inside of a plane, the others here, and above them the number of its surface
+// of each triangle: three bits for edges inside of a plane, the others here, and above them the number of its surface
+StructuredBuffer<uint> _TriangleEdges;
 
 #define EDGES_TURNED 8u // its corners run the other way than those of its surface
 #define EDGES_DEEP_BEHIND 16u // the solid is deep on the side from which its normal looks, and on that to which it looks
@@ -51,7 +52,8 @@ SeenTriangle Seen(BodyPose pose, bool moves, uint index, float3 position)
     seen.Normal = moves ? Rotate(pose.Rotation, NormalOf(tri)) : NormalOf(tri);
     const float height = -dot(seen.A, seen.Normal);
     const float3 apart = max(max(min(seen.A, min(seen.B, seen.C)), -max(seen.A, max(seen.B, seen.C))), 0.0);
-    const bool isNear = abs(height) < SHADOW_REACH && dot(apart, apart) < SHADOW_REACH * SHADOW_REACH && dot(seen.Normal, seen.Normal) > 0.5;
+    const bool isNear = abs(height) < SHADOW_REACH && dot(apart, apart) < SHADOW_REACH * SHADOW_REACH &&
+        dot(seen.Normal, seen.Normal) > 0.5;
     seen.Height = isNear && !IsBehindFace(a, b, c) ? height : 0.0;
     return seen;
 }
@@ -142,8 +144,8 @@ void AddProduct(inout Shadow sum, float factor, float3 a, float3 b)
 }
 
 // What is behind triangles or a face of the domain: of walls square to each other all but the product, of walls that look the same way the
-// larger, between them (a + b)/2 + sqrt((a - b)^2/4 + sin^4 ab(1 - a)(1 - b)), which in the edge of a wedge of any angle is right within 0.027.
-// turning: the gradient of cosine. ofMesh: how much of the triangles' gradient is in that of both.
+// larger, between them (a + b)/2 + sqrt((a - b)^2/4 + sin^4 ab(1 - a)(1 - b)), which in the edge of a wedge of any angle is right within
+// 0.027. turning: the gradient of cosine. ofMesh: how much of the triangles' gradient is in that of both.
 Shadow Joined(Shadow mesh, Shadow face, float cosine, float3 turning, out float ofMesh, out bool holds)
 {
     const float c = saturate(cosine);
@@ -172,7 +174,8 @@ Shadow Joined(Shadow mesh, Shadow face, float cosine, float3 turning, out float 
     AddProduct(both, 2.0 * ((-0.5 + k * (1.0 - 2.0 * a) * (1.0 - 2.0 * b)) * half - da * db / root), mesh.Gradient, face.Gradient);
     AddProduct(both, 2.0 * (pb * (1.0 - 2.0 * a) * half - da * dk / root), mesh.Gradient, kGradient);
     AddProduct(both, 2.0 * (pa * (1.0 - 2.0 * b) * half - db * dk / root), face.Gradient, kGradient);
-    const float3 bent = (1.0 - k) * GONE_WALLED * (mesh.Gradient - face.Gradient); // how far it goes along the way, against how wide the bend is
+    // how far it goes along the way, against how wide the bend is
+    const float3 bent = (1.0 - k) * GONE_WALLED * (mesh.Gradient - face.Gradient);
     holds = dot(bent, bent) < 4.0 * root * root && dk * length(kGradient) < 0.01 * length(both.Gradient);
     return both;
 }
@@ -186,9 +189,10 @@ Shadow Scaled(Shadow shadow, float factor)
     return shadow;
 }
 
-// The triangles of all bodies: a surface is seen from the side that the particle is on. Of its other side what belongs to a deep solid ends the solid
-// and takes away what is behind it, so that round an edge nothing comes or goes at once; the back of a thin plate is left out.
-// planes: unit normals towards the particle; owners: their bodies. shares: of the gradient, to the plane of the body that looks most along it.
+// The triangles of all bodies: a surface is seen from the side that the particle is on. Of its other side what belongs to a deep solid ends
+// the solid and takes away what is behind it, so that round an edge nothing comes or goes at once; the back of a thin plate is left out.
+// planes: unit normals towards the particle; owners: their bodies. shares: of the gradient, to the plane of the body that looks most along
+// it.
 Shadow TriangleShadow(float3 position, float3 planes[WALL_PLANES], uint owners[WALL_PLANES], inout WallShares shares)
 {
     Shadow sum = (Shadow)0;

@@ -2,8 +2,9 @@
 #define SPHFLUID_WALL_PATCHES
 
 // The force of the liquid on rectangles of its walls: a kernel that changes a velocity at a wall calls GiveToPatches with the change, and
-// each rectangle that the wall's point lies on sums the opposite impulse, in whole units: the same in any order. A kernel that includes this
-// file declares "#pragma multi_compile_local _ FLUID_WALL_FORCES", includes FluidCounters.hlsl and DomainFaces.hlsl, and is bound by WallForces.Set.
+// each rectangle that the wall's point lies on sums the opposite impulse, in whole units: the same in any order. A kernel that includes
+// this file declares "#pragma multi_compile_local _ FLUID_WALL_FORCES", includes FluidCounters.hlsl and DomainFaces.hlsl, and is bound by
+// WallForces.Set.
 
 // As PlaceWallPatches leaves them for a step. Mirrored by PlacedPatch in WallForces.cs; 64 bytes.
 struct WallPatch

@@ -4,7 +4,7 @@ namespace SphFluid.Tests
 {
     public sealed class AffineMapTests
     {
-        static AffineMap Linear(double[] m) => new AffineMap(m[0], m[1], m[2], m[3], m[4], m[5], m[6], m[7], m[8]);
+        private static AffineMap Linear(double[] m) => new AffineMap(m[0], m[1], m[2], m[3], m[4], m[5], m[6], m[7], m[8]);
 
         [Test]
         public void TheDifferenceIsThatOfTheElementsThatDifferMost(

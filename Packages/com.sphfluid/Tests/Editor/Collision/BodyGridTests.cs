@@ -8,9 +8,9 @@ namespace SphFluid.Tests
 {
     public sealed class BodyGridTests
     {
-        const float Reach = 0.04f;
+        private const float Reach = 0.04f;
 
-        static List<BodyTriangle> Soup(int count, int seed)
+        private static List<BodyTriangle> Soup(int count, int seed)
         {
             var random = new System.Random(seed);
             var triangles = new List<BodyTriangle>();
@@ -26,7 +26,7 @@ namespace SphFluid.Tests
             return triangles;
         }
 
-        static HashSet<int> Listed(BodyGrid grid, Vector3 position)
+        private static HashSet<int> Listed(BodyGrid grid, Vector3 position)
         {
             BodyCells cells = grid.Cells;
             Vector3 p = (position - cells.Origin) / cells.Side;
@@ -35,19 +35,20 @@ namespace SphFluid.Tests
             return new HashSet<int>(inside ? List(grid, x + cells.CountX * (y + cells.CountY * z)) : Enumerable.Empty<int>());
         }
 
-        static IEnumerable<int> List(BodyGrid grid, int cell)
+        private static IEnumerable<int> List(BodyGrid grid, int cell)
         {
             for (uint r = grid.Starts[cell]; r < grid.Starts[cell + 1]; r++) yield return (int)grid.References[(int)r];
         }
 
         // Whether a cell's cube is within the reach of a triangle's box and of its plane.
-        static bool Intersects(BodyCells cells, BodyTriangle tri, int x, int y, int z)
+        private static bool Intersects(BodyCells cells, BodyTriangle tri, int x, int y, int z)
         {
             double reach = cells.Reach * (1.0 + 1e-4) + 1e-4 * cells.Side, across = 0.0, spread = 0.0, apart = 0.0;
             var cell = new Vector3Int(x, y, z);
             for (int axis = 0; axis < 3; axis++)
             {
-                double low = Mathf.Min(tri.A[axis], Mathf.Min(tri.B[axis], tri.C[axis])), high = Mathf.Max(tri.A[axis], Mathf.Max(tri.B[axis], tri.C[axis]));
+                double low = Mathf.Min(tri.A[axis], Mathf.Min(tri.B[axis], tri.C[axis])),
+                    high = Mathf.Max(tri.A[axis], Mathf.Max(tri.B[axis], tri.C[axis]));
                 double middle = cells.Origin[axis] + (cell[axis] + 0.5) * cells.Side, half = 0.5 * cells.Side;
                 double gap = Math.Max(0.0, Math.Max(low - (middle + half), middle - half - high));
                 apart += gap * gap;
@@ -75,7 +76,8 @@ namespace SphFluid.Tests
                 for (int cell = 0; cell < cells.Count; cell++)
                 {
                     int x = cell % cells.CountX, y = cell / cells.CountX % cells.CountY, z = cell / cells.CountX / cells.CountY;
-                    uint[] expected = Enumerable.Range(0, count).Where(t => Intersects(cells, triangles[t], x, y, z)).Select(t => 1000u + (uint)t).ToArray();
+                    uint[] expected = Enumerable.Range(0, count).Where(t => Intersects(cells, triangles[t], x, y, z))
+                        .Select(t => 1000u + (uint)t).ToArray();
                     int first = (int)(grid.Starts[cell] - 77u), length = (int)(grid.Starts[cell + 1] - grid.Starts[cell]);
                     Assert.That(grid.References.GetSubArray(first, length).ToArray(), Is.EqualTo(expected), $"cell {x}, {y}, {z}");
                 }
@@ -95,7 +97,8 @@ namespace SphFluid.Tests
         public void ListsThatWouldBeTooLongAreOfLargerCells()
         {
             BodyTriangle[] Large(int count) => Enumerable.Range(0, count)
-                .Select(i => BodyTriangle.Create(new Vector3(-1f, -1f, 1e-3f * i), new Vector3(1f, 1f, 1e-3f * i), new Vector3(-1f, -1f, 1e-3f * i + 1f))).ToArray();
+                .Select(i => BodyTriangle.Create(new Vector3(-1f, -1f, 1e-3f * i), new Vector3(1f, 1f, 1e-3f * i),
+                    new Vector3(-1f, -1f, 1e-3f * i + 1f))).ToArray();
             using (var few = new BodyGrid(Large(3), null, 1f, null))
             using (var many = new BodyGrid(Large(80000), null, 1f, null))
             {
@@ -115,7 +118,8 @@ namespace SphFluid.Tests
             int near = 0;
             for (int i = 0; i < 10000; i++)
             {
-                Vector3 p = within ? Vector3.Scale(ParticleSets.RandomVector(random), domain.size) : 1.4f * ParticleSets.RandomVector(random);
+                Vector3 p = within ? Vector3.Scale(ParticleSets.RandomVector(random), domain.size)
+                    : 1.4f * ParticleSets.RandomVector(random);
                 if (within && i % 10 == 0) p.x = domain.max.x; // a particle on a face
                 if (i % 3 == 0) // on the cells' borders
                     p.y = grid.Cells.Origin.y + grid.Cells.Side * Mathf.Floor((p.y - grid.Cells.Origin.y) / grid.Cells.Side);
@@ -167,15 +171,19 @@ namespace SphFluid.Tests
             var random = new System.Random(9);
             for (int i = 0; i < 3000; i++)
             {
-                Vector3 from = 1.4f * ParticleSets.RandomVector(random), to = from + (float)random.NextDouble() * 8f * Reach * ParticleSets.RandomVector(random);
+                Vector3 from = 1.4f * ParticleSets.RandomVector(random),
+                    to = from + (float)random.NextDouble() * 8f * Reach * ParticleSets.RandomVector(random);
                 int parts = 1 + (int)((to - from).magnitude / (1.7f * Reach));
-                var listed = new HashSet<int>(Enumerable.Range(0, parts).SelectMany(k => Listed(grid, Vector3.LerpUnclamped(from, to, (k + 0.5f) / parts))));
+                var listed = new HashSet<int>(Enumerable.Range(0, parts)
+                    .SelectMany(k => Listed(grid, Vector3.LerpUnclamped(from, to, (k + 0.5f) / parts))));
                 for (int t = 0; t < triangles.Count; t++)
                     for (int k = 0; k <= 20; k++)
                     {
                         Vector3 p = Vector3.LerpUnclamped(from, to, k / 20f);
                         if ((TriangleMath.ClosestPoint(p, triangles[t].A, triangles[t].B, triangles[t].C) - p).magnitude < 0.1f * Reach)
+                        {
                             Assert.That(listed.Contains(t), Is.True, $"triangle {t} near the path {from} to {to}");
+                        }
                     }
             }
         }

@@ -10,8 +10,8 @@ namespace SphFluid.Tests
     /// <summary>Bodies follow colliders of any affine motion from where they were, and say which motions they cannot follow.</summary>
     public sealed class BodyMotionTests
     {
-        ColliderRig rig;
-        GameObject parent;
+        private ColliderRig rig;
+        private GameObject parent;
 
         [SetUp]
         public void SetUp()
@@ -27,14 +27,14 @@ namespace SphFluid.Tests
             Object.DestroyImmediate(parent);
         }
 
-        FluidObstacle Gather()
+        private FluidObstacle Gather()
         {
             rig.Gather();
             return rig.Scene.Solids.Single();
         }
 
         // As the shader places them, in double.
-        static List<Vector3> Corners(BodyMotion motion, bool end)
+        private static List<Vector3> Corners(BodyMotion motion, bool end)
         {
             AffineMap pose = end
                 ? AffineMap.FromMatrix(Matrix4x4.TRS(motion.Position1, motion.Rotation1, Vector3.one)) * motion.Stretch1.Map
@@ -42,10 +42,10 @@ namespace SphFluid.Tests
             return (end && motion.Deformation != null ? motion.Deformation.End : motion.Mesh).Vertices.Select(v => pose.Apply(v)).ToList();
         }
 
-        static float Farthest(IReadOnlyList<Vector3> a, IReadOnlyList<Vector3> b) =>
+        private static float Farthest(IReadOnlyList<Vector3> a, IReadOnlyList<Vector3> b) =>
             Enumerable.Range(0, a.Count).Max(i => (a[i] - b[i]).magnitude);
 
-        Collider NewCollider(string kind)
+        private Collider NewCollider(string kind)
         {
             switch (kind)
             {
@@ -92,7 +92,8 @@ namespace SphFluid.Tests
                 outgrown += following == BodyFollowing.CellsOutgrown ? 1 : 0;
                 Assert.That(following, Is.EqualTo(BodyFollowing.Followed).Or.EqualTo(BodyFollowing.CellsOutgrown));
                 Assert.That(Farthest(Corners(motion, false), before), Is.LessThan(2e-6f), $"frame {frame} begins where the last ended");
-                Assert.That(Farthest(Corners(motion, true), solid.Mesh.Vertices), Is.LessThan(3e-5f), $"frame {frame} ends at the collider");
+                Assert.That(Farthest(Corners(motion, true), solid.Mesh.Vertices), Is.LessThan(3e-5f),
+                    $"frame {frame} ends at the collider");
                 Assert.That(motion.FrameRange().least, Is.GreaterThanOrEqualTo(motion.CellStretch));
             }
             Assert.That(outgrown, Is.GreaterThan(1), "cells were made anew in between");
@@ -155,7 +156,7 @@ namespace SphFluid.Tests
         }
 
         // While it moves on as a rigid body.
-        void CheckItSettlesOnce(BodyMotion motion, Transform collider)
+        private void CheckItSettlesOnce(BodyMotion motion, Transform collider)
         {
             int settled = 0;
             for (int frame = 0; frame < 400; frame++)
@@ -203,7 +204,8 @@ namespace SphFluid.Tests
             Assert.That(After(0.3f * Vector3.one), Is.EqualTo(BodyFollowing.CellsOutgrown), "to less than half in one frame");
             Assert.That(After(new Vector3(-1f, -1f, 1f)), Is.EqualTo(BodyFollowing.Followed), "half a turn");
 
-            foreach (BodyFollowing reason in new[] { BodyFollowing.Mirrored, BodyFollowing.Scaled, BodyFollowing.Reshaped, BodyFollowing.TooFar })
+            foreach (BodyFollowing reason in new[] { BodyFollowing.Mirrored, BodyFollowing.Scaled, BodyFollowing.Reshaped,
+                BodyFollowing.TooFar })
             {
                 FluidMessage message = new BodyJump(box, reason).Message;
                 Assert.That(message.Context, Is.SameAs(box));
@@ -239,7 +241,8 @@ namespace SphFluid.Tests
                 if (frame > 10) Assert.That(following, Is.EqualTo(BodyFollowing.Followed));
                 Assert.That(motion.Deformation != null, Is.EqualTo(frame >= 10));
                 Assert.That(Farthest(Corners(motion, false), before), Is.LessThan(2e-6f), $"frame {frame} begins where the last ended");
-                Assert.That(Farthest(Corners(motion, true), solid.Mesh.Vertices), Is.LessThan(1e-5f), $"frame {frame} ends at the collider");
+                Assert.That(Farthest(Corners(motion, true), solid.Mesh.Vertices), Is.LessThan(1e-5f),
+                    $"frame {frame} ends at the collider");
                 if (frame >= 10) Assert.That(motion.IsStretched, Is.False, "corners have the scale");
             }
         }

@@ -7,7 +7,7 @@ namespace SphFluid.Tests
     /// <summary>Triangles are made again when a collider changed, and only then; what cannot be used is named.</summary>
     public sealed class ColliderChangeTests
     {
-        ColliderRig rig;
+        private ColliderRig rig;
 
         [SetUp]
         public void SetUp() => rig = new ColliderRig();
@@ -76,7 +76,8 @@ namespace SphFluid.Tests
             FluidMessage? missing = ColliderTriangles.Problem(rig.AddMesh(null, "Rock"));
             Assert.That(missing.HasValue);
             Assert.That(missing.Value.Issue, Is.EqualTo(FluidIssue.MeshEmpty));
-            Assert.That(missing.Value.ToString(), Does.StartWith("[SPH Fluid] 'Rock'").And.Contain("has no mesh").And.Contain("Assign a mesh"));
+            Assert.That(missing.Value.ToString(),
+                Does.StartWith("[SPH Fluid] 'Rock'").And.Contain("has no mesh").And.Contain("Assign a mesh"));
             FluidMessage? empty = ColliderTriangles.Problem(rig.AddMesh(new Mesh { name = "Void" }, "Hole"));
             Assert.That(empty.HasValue);
             Assert.That(empty.Value.ToString(), Does.StartWith("[SPH Fluid] 'Hole'").And.Contain("'Void'"));
@@ -91,7 +92,8 @@ namespace SphFluid.Tests
             FluidMessage? problem = ColliderTriangles.Problem(collider);
             Assert.That(problem.HasValue);
             Assert.That(problem.Value.Issue, Is.EqualTo(FluidIssue.MeshNotReadable));
-            Assert.That(problem.Value.ToString(), Does.StartWith("[SPH Fluid] 'Statue'").And.Contain("'Test Cube'").And.Contain("Read/Write"));
+            Assert.That(problem.Value.ToString(),
+                Does.StartWith("[SPH Fluid] 'Statue'").And.Contain("'Test Cube'").And.Contain("Read/Write"));
         }
 
         [Test]

@@ -7,8 +7,8 @@ namespace SphFluid.Tests
     /// <summary>What colliders and the simulation's settings ask of each other is said once, with the cure.</summary>
     public sealed class ColliderChecksTests
     {
-        ColliderRig rig;
-        FluidSimulation simulation;
+        private ColliderRig rig;
+        private FluidSimulation simulation;
 
         [SetUp]
         public void SetUp()
@@ -26,7 +26,7 @@ namespace SphFluid.Tests
             rig.Dispose();
         }
 
-        FluidMessage[] Messages()
+        private FluidMessage[] Messages()
         {
             rig.Gather();
             Assert.That(rig.Scene.Solids.Count, Is.EqualTo(1));
@@ -51,7 +51,9 @@ namespace SphFluid.Tests
             Assert.That(messages.Length, Is.EqualTo(reported ? 1 : 0));
             if (!reported) return;
             Assert.That(messages[0].Issue, Is.EqualTo(FluidIssue.ColliderAtPeriodicFace));
-            Assert.That(messages[0].ToString(), Does.StartWith("[SPH Fluid] 'Weir': The BoxCollider ends at a periodic face of 'Fluid' along X").And.Contain("Keep it 0.225 m or more inside"));
+            Assert.That(messages[0].ToString(),
+                Does.StartWith("[SPH Fluid] 'Weir': The BoxCollider ends at a periodic face of 'Fluid' along X").And
+                    .Contain("Keep it 0.225 m or more inside"));
             box.transform.position += 0.01f * Vector3.right;
             Assert.That(Messages()[0], Is.EqualTo(messages[0]), "a moving collider says it once");
         }
@@ -66,7 +68,8 @@ namespace SphFluid.Tests
             rig.Scene.Invalidate();
             FluidMessage message = Messages().Single();
             Assert.That(message.Issue, Is.EqualTo(FluidIssue.ColliderFrictionUnused));
-            Assert.That(message.ToString(), Does.StartWith("[SPH Fluid] 'Weir': Its Fluid Collider").And.Contain("Set the simulation's Method to Standard"));
+            Assert.That(message.ToString(),
+                Does.StartWith("[SPH Fluid] 'Weir': Its Fluid Collider").And.Contain("Set the simulation's Method to Standard"));
             own.OwnFriction = false;
             Assert.That(Messages(), Is.Empty);
         }

@@ -9,7 +9,7 @@ namespace SphFluid.Tests
     /// <summary>Box, sphere, capsule and mesh colliders become outward triangles where they are, however they are transformed.</summary>
     public sealed class ColliderGatheringTests
     {
-        ColliderRig rig;
+        private ColliderRig rig;
 
         [SetUp]
         public void SetUp() => rig = new ColliderRig();
@@ -55,7 +55,9 @@ namespace SphFluid.Tests
             capsule.height = 1.2f;
             Bounds bounds = ColliderRig.BoundsOf(rig.GatherOne());
             for (int axis = 0; axis < 3; axis++)
+            {
                 Assert.That(bounds.extents[axis], Is.EqualTo(axis == direction ? 0.6f : 0.2f).Within(0.01f), $"axis {axis}");
+            }
         }
 
         [Test]
@@ -162,7 +164,7 @@ namespace SphFluid.Tests
             Assert.That(rig.Scene.Colliders.Count, Is.EqualTo(100));
         }
 
-        static void AssertNear(Vector3 actual, Vector3 expected, float within = 1e-4f) =>
+        private static void AssertNear(Vector3 actual, Vector3 expected, float within = 1e-4f) =>
             Assert.That((actual - expected).magnitude, Is.LessThan(within), $"{actual} instead of {expected}");
     }
 }

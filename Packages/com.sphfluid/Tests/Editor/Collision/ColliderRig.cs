@@ -12,7 +12,7 @@ namespace SphFluid.Tests
     {
         public const int Layer = 29;
 
-        readonly List<Object> made = new List<Object>();
+        private readonly List<Object> made = new List<Object>();
 
         public CollisionScene Scene { get; } = new CollisionScene();
         public Vector3 Position { get; set; }

@@ -7,7 +7,7 @@ namespace SphFluid.Tests
     /// <summary>Settings of single colliders: friction, and the simulations they are for.</summary>
     public sealed class FluidColliderTests
     {
-        ColliderRig rig;
+        private ColliderRig rig;
 
         [SetUp]
         public void SetUp() => rig = new ColliderRig();
@@ -15,7 +15,7 @@ namespace SphFluid.Tests
         [TearDown]
         public void TearDown() => rig.Dispose();
 
-        float[] Frictions()
+        private float[] Frictions()
         {
             rig.Gather();
             return rig.Scene.Solids.Select(s => s.State.Friction).ToArray();

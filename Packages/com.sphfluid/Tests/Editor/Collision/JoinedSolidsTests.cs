@@ -9,9 +9,9 @@ namespace SphFluid.Tests
     /// <summary>Open meshes that enclose a solid together have an inside; what has an opening that liquid gets through has none.</summary>
     public sealed class JoinedSolidsTests
     {
-        const float Edge = 0.4f, Spacing = 0.02f;
+        private const float Edge = 0.4f, Spacing = 0.02f;
 
-        ColliderRig rig;
+        private ColliderRig rig;
 
         [SetUp]
         public void SetUp() => rig = new ColliderRig { Spacing = Spacing };
@@ -19,9 +19,10 @@ namespace SphFluid.Tests
         [TearDown]
         public void TearDown() => rig.Dispose();
 
-        static readonly Vector3[] Probes =
+        private static readonly Vector3[] Probes =
         {
-            Vector3.zero, new Vector3(0f, 0.17f, 0f), new Vector3(0.13f, -0.11f, 0.17f), new Vector3(-0.17f, 0.17f, -0.17f), new Vector3(0.05f, 0.02f, -0.17f),
+            Vector3.zero, new Vector3(0f, 0.17f, 0f), new Vector3(0.13f, -0.11f, 0.17f), new Vector3(-0.17f, 0.17f, -0.17f),
+            new Vector3(0.05f, 0.02f, -0.17f),
         };
 
         [Test]
@@ -48,7 +49,8 @@ namespace SphFluid.Tests
         [Test]
         public void ABottleOfSingleFacesHoldsLiquid()
         {
-            var profile = new[] { new Vector2(0f, -0.5f), new Vector2(0.3f, -0.5f), new Vector2(0.3f, 0.2f), new Vector2(0.04f, 0.4f), new Vector2(0.04f, 1.5f) };
+            var profile = new[] { new Vector2(0f, -0.5f), new Vector2(0.3f, -0.5f), new Vector2(0.3f, 0.2f), new Vector2(0.04f, 0.4f),
+                new Vector2(0.04f, 1.5f) };
             rig.AddMesh(Turned(profile, 24, 0f));
             rig.Gather();
             for (float y = -0.45f; y < 1.5f; y += 0.1f) Assert.That(Covering(new Vector3(0.003f, y, 0.001f)), Is.EqualTo(-1), $"{y} m");
@@ -67,39 +69,43 @@ namespace SphFluid.Tests
                 for (int k = -14; k <= 14; k++)
                 {
                     var place = new Vector3(0.02f * i, 0.1f, 0.02f * k);
-                    Assert.That(pillar.Winding(place), Is.EqualTo(new Vector2(place.x, place.z).magnitude < 0.3f * Mathf.Cos(Mathf.PI / 24f) ? 1 : 0).Or.EqualTo(
+                    Assert.That(pillar.Winding(place),
+                        Is.EqualTo(new Vector2(place.x, place.z).magnitude < 0.3f * Mathf.Cos(Mathf.PI / 24f) ? 1 : 0).Or.EqualTo(
                         new Vector2(place.x, place.z).magnitude < 0.3f ? 1 : 0), $"{place}");
                 }
         }
 
         [Test]
-        public void BuiltInSolidsAreClosed([Values(PrimitiveType.Cube, PrimitiveType.Cylinder, PrimitiveType.Sphere, PrimitiveType.Capsule)] PrimitiveType type)
+        public void BuiltInSolidsAreClosed([Values(PrimitiveType.Cube, PrimitiveType.Cylinder, PrimitiveType.Sphere,
+            PrimitiveType.Capsule)] PrimitiveType type)
         {
             GameObject made = GameObject.CreatePrimitive(type);
             Assert.That(new MeshReader().Read(made.GetComponent<MeshFilter>().sharedMesh).IsClosed);
             UnityEngine.Object.DestroyImmediate(made);
         }
 
-        int Covering(Vector3 place) => rig.Scene.FindCovering(Quaternion.Euler(0f, turned, 0f) * place, 0f);
+        private int Covering(Vector3 place) => rig.Scene.FindCovering(Quaternion.Euler(0f, turned, 0f) * place, 0f);
 
-        float turned;
+        private float turned;
 
         // The faces of a cube, each a collider; the top cut into so many strips by as many squares, all a gap apart.
-        void AddFaces(float turn, int cuts, float gap, int count = 6, bool flips = false)
+        private void AddFaces(float turn, int cuts, float gap, int count = 6, bool flips = false)
         {
             turned = turn;
-            var looks = new[] { Quaternion.identity, Quaternion.Euler(90f, 0f, 0f), Quaternion.Euler(180f, 0f, 0f), Quaternion.Euler(270f, 0f, 0f), Quaternion.Euler(0f, 0f, 90f), Quaternion.Euler(0f, 0f, 270f) };
+            var looks = new[] { Quaternion.identity, Quaternion.Euler(90f, 0f, 0f), Quaternion.Euler(180f, 0f, 0f),
+                Quaternion.Euler(270f, 0f, 0f), Quaternion.Euler(0f, 0f, 90f), Quaternion.Euler(0f, 0f, 270f) };
             for (int face = 0; face < count; face++)
             {
                 Transform place = rig.AddMesh(Face(face == 0 ? cuts : 1, flips && face == 2), $"face {face}").transform;
-                place.SetPositionAndRotation(Quaternion.Euler(0f, turn, 0f) * (looks[face] * ((0.5f * Edge + 0.5f * gap) * Vector3.up)), Quaternion.Euler(0f, turn, 0f) * looks[face]);
+                place.SetPositionAndRotation(Quaternion.Euler(0f, turn, 0f) * (looks[face] * ((0.5f * Edge + 0.5f * gap) * Vector3.up)),
+                    Quaternion.Euler(0f, turn, 0f) * looks[face]);
                 place.localScale = Edge * Vector3.one;
             }
             rig.Gather();
         }
 
         // A sheet below that sees the cube.
-        void AddGround()
+        private void AddGround()
         {
             Transform ground = rig.AddMesh(Face(1, false), "ground").transform;
             ground.localScale = 3f * Vector3.one;
@@ -107,7 +113,7 @@ namespace SphFluid.Tests
             rig.Gather();
         }
 
-        static Mesh Face(int cuts, bool flips)
+        private static Mesh Face(int cuts, bool flips)
         {
             var vertices = new List<Vector3>();
             var indices = new List<int>();
@@ -121,7 +127,7 @@ namespace SphFluid.Tests
         }
 
         // A profile of radius and height turned about y, outward from below up; the last corners of each ring a little off the first.
-        static Mesh Turned(Vector2[] profile, int sides, float parted)
+        private static Mesh Turned(Vector2[] profile, int sides, float parted)
         {
             var vertices = new List<Vector3>();
             var indices = new List<int>();
@@ -129,7 +135,9 @@ namespace SphFluid.Tests
                 for (int i = 0; i <= sides; i++)
                 {
                     double angle = 2.0 * Math.PI * (i % sides) / sides;
-                    vertices.Add(new Vector3(ring.x * (float)Math.Cos(angle), ring.y, ring.x * (float)Math.Sin(angle) + (i < sides || ring.x == 0f ? 0f : parted)));
+                    vertices
+                        .Add(new Vector3(ring.x * (float)Math.Cos(angle), ring.y,
+                            ring.x * (float)Math.Sin(angle) + (i < sides || ring.x == 0f ? 0f : parted)));
                 }
             for (int r = 0; r + 1 < profile.Length; r++)
                 for (int i = 0; i < sides; i++)

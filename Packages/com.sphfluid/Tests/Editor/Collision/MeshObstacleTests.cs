@@ -86,14 +86,14 @@ namespace SphFluid.Tests
             Assert.That((closest - new Vector3(cx, cy, cz)).magnitude, Is.LessThan(1e-6f));
         }
 
-        static TriangleMesh Flipped(TriangleMesh mesh)
+        private static TriangleMesh Flipped(TriangleMesh mesh)
         {
             var indices = (int[])mesh.Indices.Clone();
             System.Array.Reverse(indices);
             return new TriangleMesh(mesh.Vertices, indices);
         }
 
-        static TriangleMesh Joined(TriangleMesh a, TriangleMesh b)
+        private static TriangleMesh Joined(TriangleMesh a, TriangleMesh b)
         {
             var vertices = new Vector3[a.Vertices.Length + b.Vertices.Length];
             a.Vertices.CopyTo(vertices, 0);

@@ -9,13 +9,13 @@ namespace SphFluid.Tests
     public sealed class MeshSurfacesTests
     {
         // Corners split at the seams, as importers leave them.
-        static List<Vector3> Split(TriangleMesh mesh) => mesh.Indices.Select(i => mesh.Vertices[i]).ToList();
+        private static List<Vector3> Split(TriangleMesh mesh) => mesh.Indices.Select(i => mesh.Vertices[i]).ToList();
 
-        static TriangleMesh Box(Vector3 at) => TriangleMesh.Box(Matrix4x4.Translate(at));
+        private static TriangleMesh Box(Vector3 at) => TriangleMesh.Box(Matrix4x4.Translate(at));
 
-        static MeshSurfaces Of(List<Vector3> corners) => TriangleMesh.FromCorners(corners).Surfaces;
+        private static MeshSurfaces Of(List<Vector3> corners) => TriangleMesh.FromCorners(corners).Surfaces;
 
-        static int InPlane(MeshSurfaces found) => found.Edges.Sum(e => (int)((e & 1u) + (e >> 1 & 1u) + (e >> 2 & 1u)));
+        private static int InPlane(MeshSurfaces found) => found.Edges.Sum(e => (int)((e & 1u) + (e >> 1 & 1u) + (e >> 2 & 1u)));
 
         [Test]
         public void ABoxIsOneSurfaceAndEachOfItsFacesHasADiagonal()
@@ -37,7 +37,8 @@ namespace SphFluid.Tests
             Assert.That(found.Count, Is.EqualTo(1));
             Assert.That(InPlane(found), Is.EqualTo(12));
             bool first = (found.Edges[turned] & MeshSurfaces.Turned) != 0u;
-            Assert.That(Enumerable.Range(0, 12).Count(t => (found.Edges[t] & MeshSurfaces.Turned) != 0u == first), Is.EqualTo(1), "that one alone");
+            Assert.That(Enumerable.Range(0, 12).Count(t => (found.Edges[t] & MeshSurfaces.Turned) != 0u == first), Is.EqualTo(1),
+                "that one alone");
         }
 
         [Test]
@@ -49,7 +50,10 @@ namespace SphFluid.Tests
             Assert.That(found.Count, Is.EqualTo(2));
             uint[] numbers = found.Order.Select(t => found.Edges[t] >> MeshSurfaces.NumberShift).ToArray();
             Assert.That(numbers, Is.Ordered);
-            for (int t = 0; t < 24; t++) Assert.That(found.Edges[t] >> MeshSurfaces.NumberShift, Is.EqualTo(found.Edges[t % 2] >> MeshSurfaces.NumberShift));
+            for (int t = 0; t < 24; t++)
+            {
+                Assert.That(found.Edges[t] >> MeshSurfaces.NumberShift, Is.EqualTo(found.Edges[t % 2] >> MeshSurfaces.NumberShift));
+            }
         }
 
         // Of its size of 1.7.
@@ -65,7 +69,8 @@ namespace SphFluid.Tests
         // Nearness is to the first of a place, and is not handed on.
         [Test]
         public void ARowOfCornersIsNotDrawnTogether() =>
-            Assert.That(new VertexWeld(new[] { 0f, 0.8f, 1.6f, 2.2f }.Select(x => x * Vector3.right).ToArray(), 1f).Numbers, Is.EqualTo(new[] { 0, 0, 2, 2 }));
+            Assert.That(new VertexWeld(new[] { 0f, 0.8f, 1.6f, 2.2f }.Select(x => x * Vector3.right).ToArray(), 1f).Numbers,
+                Is.EqualTo(new[] { 0, 0, 2, 2 }));
 
         [Test]
         public void AtAnEdgeOfThreeSurfacesNoneGoesOn()

@@ -7,14 +7,14 @@ namespace SphFluid.Tests
     /// <summary>Rotation and stretch of linear maps, and the range of stretches, against their definitions.</summary>
     public sealed class PolarDecompositionTests
     {
-        static AffineMap Random(System.Random random, double unevenness)
+        private static AffineMap Random(System.Random random, double unevenness)
         {
             double Scale() => Math.Pow(10.0, unevenness * (2.0 * random.NextDouble() - 1.0));
             AffineMap Turn() => AffineMap.FromMatrix(Matrix4x4.Rotate(ParticleSets.RandomRotation(random)));
             return Turn() * new AffineMap(Scale(), 0, 0, 0, Scale(), 0, 0, 0, Scale()) * Turn();
         }
 
-        static double Size(in AffineMap m) => AffineMap.Difference(m, new AffineMap(0, 0, 0, 0, 0, 0, 0, 0, 0));
+        private static double Size(in AffineMap m) => AffineMap.Difference(m, new AffineMap(0, 0, 0, 0, 0, 0, 0, 0, 0));
 
         [TestCase(0.0)]
         [TestCase(0.3)]
@@ -44,7 +44,8 @@ namespace SphFluid.Tests
             Assert.That(PolarDecomposition.TryFind(new AffineMap(-1, 0, 0, 0, 1, 0, 0, 0, 1), out _), Is.False, "mirrored");
             Assert.That(PolarDecomposition.TryFind(new AffineMap(1, 0, 0, 0, 1, 0, 0, 0, 0), out _), Is.False, "flat");
             Assert.That(PolarDecomposition.TryFind(new AffineMap(double.NaN, 0, 0, 0, 1, 0, 0, 0, 1), out _), Is.False);
-            Assert.That(PolarDecomposition.TryFind(new AffineMap(-1, 0, 0, 0, -1, 0, 0, 0, 1), out PolarDecomposition half), Is.True, "half a turn");
+            Assert.That(PolarDecomposition.TryFind(new AffineMap(-1, 0, 0, 0, -1, 0, 0, 0, 1), out PolarDecomposition half), Is.True,
+                "half a turn");
             Assert.That(AffineMap.Difference(half.Stretch, AffineMap.Identity), Is.LessThan(1e-12));
         }
 

@@ -10,7 +10,8 @@ namespace SphFluid.Tests
         [Test]
         public void BoxIsClosedOutwardAndExact()
         {
-            TriangleMesh box = PrimitiveTessellator.Box(Matrix4x4.TRS(new Vector3(1f, 2f, 3f), Quaternion.Euler(10f, 20f, 30f), new Vector3(2f, 3f, 4f)));
+            TriangleMesh box =
+                PrimitiveTessellator.Box(Matrix4x4.TRS(new Vector3(1f, 2f, 3f), Quaternion.Euler(10f, 20f, 30f), new Vector3(2f, 3f, 4f)));
             Assert.That(box.TriangleCount, Is.EqualTo(12));
             Assert.That(IsFoundClosed(box));
             Assert.That(TestMeshes.Volume(box), Is.EqualTo(24.0).Within(1e-3));
@@ -18,7 +19,8 @@ namespace SphFluid.Tests
 
         [Test]
         public void MirroredBoxStaysOutward() =>
-            Assert.That(TestMeshes.Volume(PrimitiveTessellator.Box(Matrix4x4.Scale(new Vector3(-1f, 2f, 1f)))), Is.EqualTo(2.0).Within(1e-5));
+            Assert.That(TestMeshes.Volume(PrimitiveTessellator.Box(Matrix4x4.Scale(new Vector3(-1f, 2f, 1f)))),
+                Is.EqualTo(2.0).Within(1e-5));
 
         [TestCase(0.5f, 0.01f)]
         [TestCase(0.5f, 0.002f)]
@@ -51,7 +53,8 @@ namespace SphFluid.Tests
             Assert.That(IsFoundClosed(cylinder));
             double volume = Math.PI * radius * radius * 2.0 * halfLength;
             Assert.That(TestMeshes.Volume(cylinder), Is.EqualTo(volume).Within(2).Percent.And.LessThan(volume));
-            Assert.That(LargestDepth(cylinder, p => Math.Min(halfLength - Math.Abs(p.y), radius - new Vector2(p.x, p.z).magnitude)), Is.LessThanOrEqualTo(0.0050005f));
+            Assert.That(LargestDepth(cylinder, p => Math.Min(halfLength - Math.Abs(p.y), radius - new Vector2(p.x, p.z).magnitude)),
+                Is.LessThanOrEqualTo(0.0050005f));
         }
 
         [Test]
@@ -61,18 +64,17 @@ namespace SphFluid.Tests
             Assert.That(PrimitiveTessellator.Segments(1f, 10f), Is.EqualTo(6));
         }
 
-        static bool IsFoundClosed(TriangleMesh mesh) => new TriangleMesh(mesh.Vertices, mesh.Indices).IsClosed;
+        private static bool IsFoundClosed(TriangleMesh mesh) => new TriangleMesh(mesh.Vertices, mesh.Indices).IsClosed;
 
         // Largest distance inside the true surface over a grid of points on each triangle.
-        static float LargestDepth(TriangleMesh mesh, Func<Vector3, float> depth)
+        private static float LargestDepth(TriangleMesh mesh, Func<Vector3, float> depth)
         {
             float largest = 0f;
             for (int t = 0; t < mesh.TriangleCount; t++)
             {
                 mesh.GetTriangle(t, out Vector3 a, out Vector3 b, out Vector3 c);
                 for (int i = 0; i <= 6; i++)
-                    for (int j = 0; i + j <= 6; j++)
-                        largest = Mathf.Max(largest, depth(a + (b - a) * (i / 6f) + (c - a) * (j / 6f)));
+                    for (int j = 0; i + j <= 6; j++) largest = Mathf.Max(largest, depth(a + (b - a) * (i / 6f) + (c - a) * (j / 6f)));
             }
             return largest;
         }

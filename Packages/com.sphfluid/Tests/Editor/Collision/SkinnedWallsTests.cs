@@ -9,9 +9,9 @@ namespace SphFluid.Tests
     /// <summary>Skinned meshes as walls: found by a Fluid Collider, placed where they are drawn, followed as their bones move.</summary>
     public sealed class SkinnedWallsTests
     {
-        readonly List<Object> made = new List<Object>();
-        readonly List<WallSpec> skins = new List<WallSpec>();
-        CollisionScene scene;
+        private readonly List<Object> made = new List<Object>();
+        private readonly List<WallSpec> skins = new List<WallSpec>();
+        private CollisionScene scene;
 
         [SetUp]
         public void SetUp() => scene = new CollisionScene();
@@ -25,14 +25,14 @@ namespace SphFluid.Tests
             skins.Clear();
         }
 
-        T Made<T>(T item) where T : Object
+        private T Made<T>(T item) where T : Object
         {
             made.Add(item);
             return item;
         }
 
         // A cube whose upper corners go with one bone and whose lower ones with another.
-        SkinnedMeshRenderer Skin(out Transform upper)
+        private SkinnedMeshRenderer Skin(out Transform upper)
         {
             GameObject holder = Made(new GameObject("figure"));
             Transform Bone(string name, float y)
@@ -57,7 +57,7 @@ namespace SphFluid.Tests
             return renderer;
         }
 
-        bool Gather(int layers = ~0) => scene.Gather(new CollisionQuery
+        private bool Gather(int layers = ~0) => scene.Gather(new CollisionQuery
         {
             Scene = Physics.defaultPhysicsScene,
             Position = new Vector3(0f, 0f, 1f),
@@ -78,11 +78,13 @@ namespace SphFluid.Tests
             Assert.That(Gather(), Is.True);
             FluidObstacle solid = scene.Solids.Single(s => s.Source == renderer);
             Vector3[] rest = renderer.sharedMesh.vertices;
-            Matrix4x4 toSimulation = DomainSpace.FromWorld(new Vector3(0f, 0f, 1f), Quaternion.Euler(0f, 90f, 0f)) * renderer.transform.localToWorldMatrix;
+            Matrix4x4 toSimulation = DomainSpace.FromWorld(new Vector3(0f, 0f, 1f), Quaternion.Euler(0f, 90f, 0f)) *
+                renderer.transform.localToWorldMatrix;
             for (int i = 0; i < rest.Length; i++)
             {
                 Vector3 expected = rest[i].y > 0f ? rest[i] + new Vector3(0.3f, 0.1f, 0f) : rest[i];
-                Assert.That((solid.Mesh.Vertices[i] - toSimulation.MultiplyPoint3x4(expected)).magnitude, Is.LessThan(2e-6f), $"corner {i}");
+                Assert.That((solid.Mesh.Vertices[i] - toSimulation.MultiplyPoint3x4(expected)).magnitude, Is.LessThan(2e-6f),
+                    $"corner {i}");
             }
             Assert.That(solid.Mesh.IsClosed, Is.True);
         }

@@ -7,13 +7,14 @@ namespace SphFluid.Tests
     /// <summary>The wall nearest to a place: faces of the domain and colliders.</summary>
     public sealed class WallFinderTests
     {
-        static readonly Vector3 Anywhere = new Vector3(0.3f, 0.5f, -0.8f).normalized;
+        private static readonly Vector3 Anywhere = new Vector3(0.3f, 0.5f, -0.8f).normalized;
 
-        static FluidSolverSettings Settings => BodyRig.Water(Vector3.one, 0.05f, 0.5f); // R = 0.1125
+        private static FluidSolverSettings Settings => BodyRig.Water(Vector3.one, 0.05f, 0.5f); // R = 0.1125
 
-        static WallPlace? Find(Vector3 place, Vector3 forward, params TriangleMesh[] meshes) => Find(Settings, place, forward, meshes);
+        private static WallPlace? Find(Vector3 place, Vector3 forward, params TriangleMesh[] meshes) =>
+            Find(Settings, place, forward, meshes);
 
-        static WallPlace? Find(in FluidSolverSettings settings, Vector3 place, Vector3 forward, params TriangleMesh[] meshes)
+        private static WallPlace? Find(in FluidSolverSettings settings, Vector3 place, Vector3 forward, params TriangleMesh[] meshes)
         {
             using (var obstacles = new FluidObstacles(settings))
             {
@@ -23,7 +24,7 @@ namespace SphFluid.Tests
             }
         }
 
-        static TriangleMesh Cube => TriangleMesh.Box(Matrix4x4.Scale(0.2f * Vector3.one));
+        private static TriangleMesh Cube => TriangleMesh.Box(Matrix4x4.Scale(0.2f * Vector3.one));
 
         [TestCase(0, -1f)]
         [TestCase(0, 1f)]
@@ -73,15 +74,18 @@ namespace SphFluid.Tests
         [TestCase(0f, -1f)]
         public void OfASheetTheSideCountsThatTheProbeIsOnOrLooksFrom(float height, float forward)
         {
-            TriangleMesh sheet = TriangleMesh.FromCorners(new[] { new Vector3(-0.2f, 0f, -0.2f), new Vector3(0.2f, 0f, -0.2f), new Vector3(0f, 0f, 0.3f) });
+            TriangleMesh sheet =
+                TriangleMesh.FromCorners(new[] { new Vector3(-0.2f, 0f, -0.2f), new Vector3(0.2f, 0f, -0.2f), new Vector3(0f, 0f, 0.3f) });
             float side = height == 0f ? forward : Mathf.Sign(height);
-            Assert.That((Find(new Vector3(0f, height, 0f), forward * Vector3.up, sheet).Value.Normal - side * Vector3.up).magnitude, Is.LessThan(1e-6f));
+            Assert.That((Find(new Vector3(0f, height, 0f), forward * Vector3.up, sheet).Value.Normal - side * Vector3.up).magnitude,
+                Is.LessThan(1e-6f));
         }
 
         [Test]
         public void OnAnEdgeTheWallCountsThatFacesForward()
         {
-            Assert.That((Find(new Vector3(0.1f, 0.1f, 0f), Vector3.right, Cube).Value.Normal - Vector3.right).magnitude, Is.LessThan(1e-6f));
+            Assert.That((Find(new Vector3(0.1f, 0.1f, 0f), Vector3.right, Cube).Value.Normal - Vector3.right).magnitude,
+                Is.LessThan(1e-6f));
             Assert.That((Find(new Vector3(0.1f, 0.1f, 0f), Vector3.up, Cube).Value.Normal - Vector3.up).magnitude, Is.LessThan(1e-6f));
             Assert.That(Find(new Vector3(-0.48f, -0.48f, 0f), Vector3.up).Value.Normal, Is.EqualTo(Vector3.up));
             Assert.That(Find(new Vector3(-0.48f, -0.48f, 0f), Vector3.right).Value.Normal, Is.EqualTo(Vector3.right));

@@ -10,7 +10,7 @@ namespace SphFluid.Tests
     /// <summary>Names of the API are spelt as Unity spells them, and scenes with the earlier spelling keep their values.</summary>
     public sealed class ColorNameTests
     {
-        const string Prefab = "Packages/com.sphfluid/Tests/Editor/Components/OldColors.prefab";
+        private const string Prefab = "Packages/com.sphfluid/Tests/Editor/Components/OldColors.prefab";
 
         [Test]
         public void FieldsOfTheEarlierSpellingAreRead()
@@ -35,7 +35,8 @@ namespace SphFluid.Tests
             Assert.That(names.Where(n => n.IndexOf("colour", StringComparison.OrdinalIgnoreCase) >= 0), Is.Empty);
         }
 
-        static string[] Names(Type type) => type.GetMembers(BindingFlags.Public | BindingFlags.Instance | BindingFlags.Static | BindingFlags.DeclaredOnly)
+        private static string[] Names(Type type) =>
+            type.GetMembers(BindingFlags.Public | BindingFlags.Instance | BindingFlags.Static | BindingFlags.DeclaredOnly)
             .Select(m => m.Name).Append(type.Name).ToArray();
     }
 }

@@ -9,22 +9,31 @@ using Object = UnityEngine.Object;
 
 namespace SphFluid.Tests
 {
-    /// <summary>Each cure that a message before the start proposes is tried: after it neither the message nor another one is there. Those during play are in CuresDuringPlayTests.</summary>
+    /// <summary>
+    /// Each cure that a message before the start proposes is tried: after it neither the message nor another one is there. Those during
+    /// play are in CuresDuringPlayTests.
+    /// </summary>
     public sealed class CureTests
     {
-        const string Number = @"([0-9.,E-]*[0-9])";
+        private const string Number = @"([0-9.,E-]*[0-9])";
 
-        SimulationRig rig;
-        FluidSimulation simulation;
-        FluidVolume volume;
-        GameObject other;
-        Match said;
+        private SimulationRig rig;
+        private FluidSimulation simulation;
+        private FluidVolume volume;
+        private GameObject other;
+        private Match said;
 
-        static readonly (string name, string says, Action<CureTests> cause, (string words, Action<CureTests> apply)[] cures)[] Cases =
+        private static readonly (string name, string says, Action<CureTests> cause,
+            (string words, Action<CureTests> apply)[] cures)[] Cases =
         {
-            ("no profile", "No profile", t => t.simulation.Profile = null, new (string, Action<CureTests>)[] { ("Assign a Fluid Profile", t => t.simulation.Profile = t.rig.Profile) }),
-            ("no shaders", "no shader set", t => t.rig.Profile.Shaders = null, new (string, Action<CureTests>)[] { ("DefaultFluidShaderSet", t => t.rig.Profile.Shaders = TestAssets.Water.Shaders) }),
-            ("scaled", "needs scale 1", t => t.simulation.transform.localScale = 2f * Vector3.one, new (string, Action<CureTests>)[] { ("scale of this object and its parents to 1", t => t.simulation.transform.localScale = Vector3.one) }),
+            ("no profile", "No profile", t => t.simulation.Profile = null,
+                new (string, Action<CureTests>)[] { ("Assign a Fluid Profile", t => t.simulation.Profile = t.rig.Profile) }),
+            ("no shaders", "no shader set", t => t.rig.Profile.Shaders = null,
+                new (string, Action<CureTests>)[] { ("DefaultFluidShaderSet", t => t.rig.Profile.Shaders = TestAssets.Water.Shaders) }),
+            ("scaled", "needs scale 1", t => t.simulation.transform.localScale = 2f * Vector3.one,
+                new (string,
+                    Action<CureTests>)[] { ("scale of this object and its parents to 1",
+                        t => t.simulation.transform.localScale = Vector3.one) }),
             ("coarse", "less than two particles", t => t.simulation.Spacing = 0.3f, new (string, Action<CureTests>)[]
             {
                 ("smaller Particle Spacing", t => t.simulation.Spacing = 0.1f),
@@ -35,7 +44,8 @@ namespace SphFluid.Tests
                 ("Use a Fixed Time Step of", t => t.simulation.FixedTimeStep = t.Said),
                 ("Time Step Mode to Automatic", t => t.simulation.TimeStepMode = FluidTimeStepMode.Automatic),
             }),
-            ("fixed step of thick liquid", $"kinematic viscosity.*Fixed Time Step of {Number} s", t => t.Thick(), new (string, Action<CureTests>)[]
+            ("fixed step of thick liquid", $"kinematic viscosity.*Fixed Time Step of {Number} s", t => t.Thick(),
+                new (string, Action<CureTests>)[]
             {
                 ("Use a Fixed Time Step of", t => t.simulation.FixedTimeStep = t.Said),
                 ("Time Step Mode to Automatic", t => t.simulation.TimeStepMode = FluidTimeStepMode.Automatic),
@@ -50,31 +60,42 @@ namespace SphFluid.Tests
                 ("Add a Fluid Volume", t => t.rig.AddVolume(t.simulation)),
                 ("Fluid Emitter", t => t.Emitter(Vector3.zero)),
             }),
-            ("volume outside", "lies outside the domain", t => t.volume.transform.localPosition = 0.6f * Vector3.right, new (string, Action<CureTests>)[]
+            ("volume outside", "lies outside the domain", t => t.volume.transform.localPosition = 0.6f * Vector3.right,
+                new (string, Action<CureTests>)[]
             {
                 ("Move it into the domain", t => t.volume.transform.localPosition = Vector3.zero),
                 ("enlarge the simulation's Domain Size", t => t.Grow(4f)),
             }),
-            ("volume partly outside", "% of the liquid volume lies outside", t => t.volume.transform.localPosition = 0.2f * Vector3.right, new (string, Action<CureTests>)[]
+            ("volume partly outside", "% of the liquid volume lies outside", t => t.volume.transform.localPosition = 0.2f * Vector3.right,
+                new (string, Action<CureTests>)[]
             {
                 ("Move", t => t.volume.transform.localPosition = 0.1f * Vector3.right),
                 ("shrink the volume", t => (t.volume.Size, t.volume.transform.localPosition) = (0.1f * Vector3.one, 0.15f * Vector3.right)),
                 ("enlarge the simulation's Domain Size", t => t.Grow(2f)),
             }),
-            ("flat volume", "zero or non-finite scale", t => t.volume.transform.localScale = new Vector3(1f, 0f, 1f), new (string, Action<CureTests>)[] { ("a scale without zeros", t => t.volume.transform.localScale = Vector3.one) }),
-            ("volume in a collider", "wholly inside colliders", t => t.Box(Vector3.zero, 0.3f * Vector3.one), new (string, Action<CureTests>)[]
+            ("flat volume", "zero or non-finite scale", t => t.volume.transform.localScale = new Vector3(1f, 0f, 1f),
+                new (string, Action<CureTests>)[] { ("a scale without zeros", t => t.volume.transform.localScale = Vector3.one) }),
+            ("volume in a collider", "wholly inside colliders", t => t.Box(Vector3.zero, 0.3f * Vector3.one),
+                new (string, Action<CureTests>)[]
             {
-                ("Move the volume out of the collider", t => (t.other.transform.position, t.volume.transform.localPosition) = (new Vector3(-0.25f, 0f, 0f), 0.1f * Vector3.right)),
+                ("Move the volume out of the collider",
+                    t => (t.other.transform.position, t.volume.transform.localPosition) =
+                        (new Vector3(-0.25f, 0f, 0f), 0.1f * Vector3.right)),
                 ("out of the simulation's Collider Layers", t => t.simulation.ColliderLayers = 0),
             }),
-            ("collider in the volume", "would start inside colliders", t => t.Box(new Vector3(0.1f, 0f, 0f), 0.15f * Vector3.one), new (string, Action<CureTests>)[] { ("move the volume and the collider apart", t => t.other.transform.position = 0.18f * Vector3.up) }),
-            ("many particles", $"needs .* particles.*Particle Spacing of {Number} m or more", t => t.rig.Profile.MaxParticles = 30, new (string, Action<CureTests>)[]
+            ("collider in the volume", "would start inside colliders", t => t.Box(new Vector3(0.1f, 0f, 0f), 0.15f * Vector3.one),
+                new (string,
+                    Action<CureTests>)[] { ("move the volume and the collider apart",
+                        t => t.other.transform.position = 0.18f * Vector3.up) }),
+            ("many particles", $"needs .* particles.*Particle Spacing of {Number} m or more", t => t.rig.Profile.MaxParticles = 30,
+                new (string, Action<CureTests>)[]
             {
                 ("Use a Particle Spacing of", t => t.simulation.Spacing = t.Said),
                 ("less liquid", t => t.volume.Size = 0.15f * Vector3.one),
                 ("raise Max Particles", t => t.rig.Profile.MaxParticles = 64),
             }),
-            ("many cells", $"cells for the neighbour search.*Particle Spacing of {Number} m or more", t => t.simulation.DomainSize = new Vector3(4000f, 4000f, 4000f), new (string, Action<CureTests>)[]
+            ("many cells", $"cells for the neighbour search.*Particle Spacing of {Number} m or more",
+                t => t.simulation.DomainSize = new Vector3(4000f, 4000f, 4000f), new (string, Action<CureTests>)[]
             {
                 ("smaller Domain Size", t => t.simulation.DomainSize = 0.4f * Vector3.one),
                 ("or a Particle Spacing of", t => (t.simulation.Spacing, t.volume.Size) = (t.Said, 4f * t.Said * Vector3.one)),
@@ -84,15 +105,21 @@ namespace SphFluid.Tests
                 ("Assign a mesh to the Mesh Collider", t => t.GiveMesh()),
                 ("or remove it", t => Object.DestroyImmediate(t.other.GetComponent<MeshCollider>())),
             }),
-            ("collider of an empty mesh", "has no triangles", t => t.Add<MeshCollider>().sharedMesh = new Mesh { name = "Nothing" }, new (string, Action<CureTests>)[]
+            ("collider of an empty mesh", "has no triangles", t => t.Add<MeshCollider>().sharedMesh = new Mesh { name = "Nothing" },
+                new (string, Action<CureTests>)[]
             {
                 ("Assign a mesh with triangles", t => t.GiveMesh()),
                 ("or remove it", t => Object.DestroyImmediate(t.other.GetComponent<MeshCollider>())),
             }),
-            ("collider of flat triangles", "None of its triangles", t => t.Add<MeshCollider>().sharedMesh = new Mesh { name = "Lines", vertices = new Vector3[3], triangles = new[] { 0, 1, 2 } },
+            ("collider of flat triangles", "None of its triangles",
+                t => t.Add<MeshCollider>().sharedMesh =
+                    new Mesh { name = "Lines", vertices = new Vector3[3], triangles = new[] { 0, 1, 2 } },
                 new (string, Action<CureTests>)[] { ("a mesh with triangles that have an area", t => t.GiveMesh()) }),
-            ("flat collider", "transform has a zero", t => t.Box(0.18f * Vector3.up, 0.02f * Vector3.one).transform.localScale = new Vector3(1f, 0f, 1f), new (string, Action<CureTests>)[] { ("a scale without zeros", t => t.other.transform.localScale = Vector3.one) }),
-            ("collider without a size", "zero or non-finite size", t => t.Box(0.18f * Vector3.up, Vector3.zero), new (string, Action<CureTests>)[]
+            ("flat collider", "transform has a zero",
+                t => t.Box(0.18f * Vector3.up, 0.02f * Vector3.one).transform.localScale = new Vector3(1f, 0f, 1f),
+                new (string, Action<CureTests>)[] { ("a scale without zeros", t => t.other.transform.localScale = Vector3.one) }),
+            ("collider without a size", "zero or non-finite size", t => t.Box(0.18f * Vector3.up, Vector3.zero),
+                new (string, Action<CureTests>)[]
             {
                 ("a size greater than zero", t => t.other.GetComponent<BoxCollider>().size = 0.02f * Vector3.one),
                 ("or remove it", t => Object.DestroyImmediate(t.other.GetComponent<BoxCollider>())),
@@ -102,7 +129,8 @@ namespace SphFluid.Tests
                 ("Method to Standard", t => t.simulation.Method = FluidMethodKind.Standard),
                 ("turn Own Friction off", t => t.other.GetComponent<FluidCollider>().OwnFriction = false),
             }),
-            ("collider at a periodic face", $"ends at a periodic face.*Keep it {Number} m or more inside", t => t.AtFace(), new (string, Action<CureTests>)[]
+            ("collider at a periodic face", $"ends at a periodic face.*Keep it {Number} m or more inside", t => t.AtFace(),
+                new (string, Action<CureTests>)[]
             {
                 ("inside the faces", t => t.other.transform.position = (0.2f - t.Said - 0.01f) * Vector3.right),
                 ("reach as far beyond both", t => t.other.GetComponent<BoxCollider>().size = new Vector3(1.5f, 0.02f, 0.02f)),
@@ -113,19 +141,27 @@ namespace SphFluid.Tests
                 ("Assign a closed mesh", t => (t.volume.Mesh, t.volume.transform.localScale) = (TestMeshes.Cube(), 0.2f * Vector3.one)),
                 ("add a Mesh Filter", t => t.volume.gameObject.AddComponent<MeshFilter>().sharedMesh = Small(TestMeshes.Cube())),
             }),
-            ("volume of an open mesh", "is open", t => (t.volume.Shape, t.volume.Mesh) = (FluidVolumeShape.Mesh, Open()), new (string, Action<CureTests>)[] { ("Close the mesh's holes", t => t.volume.Mesh = Small(TestMeshes.Cube())) }),
-            ("leaking vessel", $"runs out of the vessel over its rim.*Set Level to {Number} m or less", t => t.Vessel(0.2f), new (string, Action<CureTests>)[]
+            ("volume of an open mesh", "is open", t => (t.volume.Shape, t.volume.Mesh) = (FluidVolumeShape.Mesh, Open()),
+                new (string, Action<CureTests>)[] { ("Close the mesh's holes", t => t.volume.Mesh = Small(TestMeshes.Cube())) }),
+            ("leaking vessel", $"runs out of the vessel over its rim.*Set Level to {Number} m or less", t => t.Vessel(0.2f),
+                new (string, Action<CureTests>)[]
             {
                 ("Set Level to", t => t.volume.Level = t.Said),
                 ("switch Domain Holds on", t => t.volume.DomainHolds = true),
             }),
-            ("drain without a volume", "has no volume", t => t.Drain().Size = Vector3.zero, new (string, Action<CureTests>)[] { ("numbers greater than zero", t => t.other.GetComponent<FluidDrain>().Size = 0.1f * Vector3.one) }),
-            ("drain with another collider", "is no Box, Sphere or Capsule", t => t.Drain().gameObject.AddComponent<MeshCollider>().sharedMesh = Small(TestMeshes.Cube()), new (string, Action<CureTests>)[]
+            ("drain without a volume", "has no volume", t => t.Drain().Size = Vector3.zero,
+                new (string,
+                    Action<CureTests>)[] { ("numbers greater than zero",
+                        t => t.other.GetComponent<FluidDrain>().Size = 0.1f * Vector3.one) }),
+            ("drain with another collider", "is no Box, Sphere or Capsule",
+                t => t.Drain().gameObject.AddComponent<MeshCollider>().sharedMesh = Small(TestMeshes.Cube()),
+                new (string, Action<CureTests>)[]
             {
                 ("Use one of these colliders", t => t.Instead<BoxCollider>().isTrigger = true),
                 ("an object without a collider", t => Object.DestroyImmediate(t.other.GetComponent<MeshCollider>())),
             }),
-            ("emitter of the Thesis", "a fixed number of particles", t => t.Emitter(Vector3.zero, FluidMethodKind.Thesis), new (string, Action<CureTests>)[] { ("Method to Standard", t => t.simulation.Method = FluidMethodKind.Standard) }),
+            ("emitter of the Thesis", "a fixed number of particles", t => t.Emitter(Vector3.zero, FluidMethodKind.Thesis),
+                new (string, Action<CureTests>)[] { ("Method to Standard", t => t.simulation.Method = FluidMethodKind.Standard) }),
             ("emitter outside", "outside the domain", t => t.Emitter(0.3f * Vector3.up), new (string, Action<CureTests>)[]
             {
                 ("Move it into the domain", t => t.other.transform.localPosition = 0.15f * Vector3.up),
@@ -136,24 +172,40 @@ namespace SphFluid.Tests
                 ("Move the emitter to the opening", t => t.other.transform.localPosition = 0.05f * Vector3.up),
                 ("out of Collider Layers", t => t.simulation.ColliderLayers = 0),
             }),
-            ("emitter without a size", "The nozzle's size", t => t.Emitter(0.15f * Vector3.up).Size = Vector2.zero, new (string, Action<CureTests>)[] { ("two numbers greater than zero", t => t.other.GetComponent<FluidEmitter>().Size = 0.1f * Vector2.one) }),
-            ("wide emitter", "particles a layer", t => t.Emitter(0.15f * Vector3.up).Size = 1000f * Vector2.one, new (string, Action<CureTests>)[] { ("smaller Size", t => t.other.GetComponent<FluidEmitter>().Size = 0.1f * Vector2.one) }),
-            ("fast emitter", $"m/s are the most", t => t.Emitter(0.15f * Vector3.up).Speed = 2000f, new (string, Action<CureTests>)[] { ("less Speed", t => t.other.GetComponent<FluidEmitter>().Speed = 1f) }),
-            ("emitter of no mesh", "has no mesh", t => t.Emitter(0.15f * Vector3.up).Shape = FluidEmitterShape.Mesh, new (string, Action<CureTests>)[]
+            ("emitter without a size", "The nozzle's size", t => t.Emitter(0.15f * Vector3.up).Size = Vector2.zero,
+                new (string,
+                    Action<CureTests>)[] { ("two numbers greater than zero",
+                        t => t.other.GetComponent<FluidEmitter>().Size = 0.1f * Vector2.one) }),
+            ("wide emitter", "particles a layer", t => t.Emitter(0.15f * Vector3.up).Size = 1000f * Vector2.one,
+                new (string,
+                    Action<CureTests>)[] { ("smaller Size", t => t.other.GetComponent<FluidEmitter>().Size = 0.1f * Vector2.one) }),
+            ("fast emitter", $"m/s are the most", t => t.Emitter(0.15f * Vector3.up).Speed = 2000f,
+                new (string, Action<CureTests>)[] { ("less Speed", t => t.other.GetComponent<FluidEmitter>().Speed = 1f) }),
+            ("emitter of no mesh", "has no mesh", t => t.Emitter(0.15f * Vector3.up).Shape = FluidEmitterShape.Mesh,
+                new (string, Action<CureTests>)[]
             {
-                ("Assign a mesh", t => (t.other.GetComponent<FluidEmitter>().Mesh, t.other.transform.localScale) = (TestMeshes.Cube(), 0.1f * Vector3.one)),
+                ("Assign a mesh",
+                    t => (t.other.GetComponent<FluidEmitter>().Mesh, t.other.transform.localScale) =
+                        (TestMeshes.Cube(), 0.1f * Vector3.one)),
                 ("choose another Shape", t => t.other.GetComponent<FluidEmitter>().Shape = FluidEmitterShape.Disc),
             }),
-            ("zones of the Thesis", "has no force zones", t => t.Zone(FluidMethodKind.Thesis), new (string, Action<CureTests>)[] { ("Method to Standard", t => t.simulation.Method = FluidMethodKind.Standard) }),
-            ("zone of no collider", "has no Box, Sphere or Capsule Collider", t => t.Zone().Shape = FluidZoneShape.Collider, new (string, Action<CureTests>)[]
+            ("zones of the Thesis", "has no force zones", t => t.Zone(FluidMethodKind.Thesis),
+                new (string, Action<CureTests>)[] { ("Method to Standard", t => t.simulation.Method = FluidMethodKind.Standard) }),
+            ("zone of no collider", "has no Box, Sphere or Capsule Collider", t => t.Zone().Shape = FluidZoneShape.Collider,
+                new (string, Action<CureTests>)[]
             {
                 ("Add one of these, as a trigger", t => t.other.AddComponent<BoxCollider>().isTrigger = true),
                 ("choose another Shape", t => t.other.GetComponent<FluidForceZone>().Shape = FluidZoneShape.Box),
             }),
-            ("wall that moves across", "Boundaries.LowX", t => t.simulation.Boundaries = new FluidBoundaries { Friction = 1f, LowX = new Vector3(1f, 0f, 0f) }, new (string, Action<CureTests>)[] { ("X component to zero", t => t.simulation.Boundaries = new FluidBoundaries { Friction = 1f, LowX = new Vector3(0f, 1f, 0f) }) }),
+            ("wall that moves across", "Boundaries.LowX",
+                t => t.simulation.Boundaries = new FluidBoundaries { Friction = 1f, LowX = new Vector3(1f, 0f, 0f) },
+                new (string,
+                    Action<CureTests>)[] { ("X component to zero",
+                        t => t.simulation.Boundaries = new FluidBoundaries { Friction = 1f, LowX = new Vector3(0f, 1f, 0f) }) }),
         };
 
-        static IEnumerable<TestCaseData> All => Cases.SelectMany((c, i) => c.cures.Select((cure, k) => new TestCaseData(i, k).SetName($"{c.name}: {cure.words}")));
+        private static IEnumerable<TestCaseData> All =>
+            Cases.SelectMany((c, i) => c.cures.Select((cure, k) => new TestCaseData(i, k).SetName($"{c.name}: {cure.words}")));
 
         [SetUp]
         public void SetUp()
@@ -181,23 +233,25 @@ namespace SphFluid.Tests
             cures[cure].apply(this);
             Physics.SyncTransforms();
             // A vessel's lattice has places in its walls.
-            Assert.That(simulation.Validate().Select(m => m.ToString()).Where(m => volume == null || volume.Shape != FluidVolumeShape.Vessel || !m.Contains("against their faces")), Is.Empty, message);
+            Assert.That(simulation.Validate().Select(m => m.ToString())
+                .Where(m => volume == null || volume.Shape != FluidVolumeShape.Vessel || !m.Contains("against their faces")),
+                Is.Empty, message);
         }
 
-        float Said => float.Parse(said.Groups[1].Value, CultureInfo.InvariantCulture);
+        private float Said => float.Parse(said.Groups[1].Value, CultureInfo.InvariantCulture);
 
-        void Grow(float times) => simulation.DomainSize *= times;
+        private void Grow(float times) => simulation.DomainSize *= times;
 
-        void Fix(float step) => (simulation.TimeStepMode, simulation.FixedTimeStep) = (FluidTimeStepMode.Fixed, step);
+        private void Fix(float step) => (simulation.TimeStepMode, simulation.FixedTimeStep) = (FluidTimeStepMode.Fixed, step);
 
-        void Thick()
+        private void Thick()
         {
             Fix(0.1f);
             simulation.Method = FluidMethodKind.Thesis;
             (rig.Profile.SupportRatio, rig.Profile.KinematicViscosity) = (2f, 0.5f);
         }
 
-        void Deep()
+        private void Deep()
         {
             (simulation.Method, rig.Profile.Substeps) = (FluidMethodKind.Robust, 1);
             simulation.DomainSize = new Vector3(0.1f, 3f, 0.1f);
@@ -205,7 +259,7 @@ namespace SphFluid.Tests
             volume.Size = simulation.DomainSize;
         }
 
-        T Add<T>() where T : Component
+        private T Add<T>() where T : Component
         {
             other = rig.NewObject("Other");
             other.transform.position = 0.18f * Vector3.up;
@@ -213,9 +267,9 @@ namespace SphFluid.Tests
             return other.AddComponent<T>();
         }
 
-        void GiveMesh() => other.GetComponent<MeshCollider>().sharedMesh = TestMeshes.Cube();
+        private void GiveMesh() => other.GetComponent<MeshCollider>().sharedMesh = TestMeshes.Cube();
 
-        BoxCollider Box(Vector3 place, Vector3 size)
+        private BoxCollider Box(Vector3 place, Vector3 size)
         {
             other = rig.NewObject("Box");
             other.transform.position = place;
@@ -224,19 +278,19 @@ namespace SphFluid.Tests
             return box;
         }
 
-        void AtFace()
+        private void AtFace()
         {
             simulation.Boundaries = new FluidBoundaries { Periodic = FluidAxes.X };
             Box(new Vector3(0.2f, 0.18f, 0f), 0.02f * Vector3.one);
         }
 
-        void OwnFriction()
+        private void OwnFriction()
         {
             (simulation.Method, rig.Profile.SupportRatio) = (FluidMethodKind.Thesis, 2f);
             Box(0.18f * Vector3.up, 0.02f * Vector3.one).gameObject.AddComponent<FluidCollider>().OwnFriction = true;
         }
 
-        T Child<T>(string name, Vector3 place) where T : Component
+        private T Child<T>(string name, Vector3 place) where T : Component
         {
             other = new GameObject(name) { layer = 0 };
             other.transform.SetParent(simulation.transform, false);
@@ -244,9 +298,9 @@ namespace SphFluid.Tests
             return other.AddComponent<T>();
         }
 
-        FluidDrain Drain() => Child<FluidDrain>("Drain", Vector3.zero);
+        private FluidDrain Drain() => Child<FluidDrain>("Drain", Vector3.zero);
 
-        FluidEmitter Emitter(Vector3 place, FluidMethodKind method = FluidMethodKind.Standard)
+        private FluidEmitter Emitter(Vector3 place, FluidMethodKind method = FluidMethodKind.Standard)
         {
             simulation.Method = method;
             if (method == FluidMethodKind.Thesis) rig.Profile.SupportRatio = 2f;
@@ -255,28 +309,28 @@ namespace SphFluid.Tests
             return emitter;
         }
 
-        FluidForceZone Zone(FluidMethodKind method = FluidMethodKind.Standard)
+        private FluidForceZone Zone(FluidMethodKind method = FluidMethodKind.Standard)
         {
             simulation.Method = method;
             if (method == FluidMethodKind.Thesis) rig.Profile.SupportRatio = 2f;
             return Child<FluidForceZone>("Zone", Vector3.zero);
         }
 
-        void InBox()
+        private void InBox()
         {
             volume.transform.localPosition = -0.1f * Vector3.up;
             Box(0.16f * Vector3.up, new Vector3(0.3f, 0.08f, 0.3f));
             Emitter(0.16f * Vector3.up);
         }
 
-        T Instead<T>() where T : Collider
+        private T Instead<T>() where T : Collider
         {
             Object.DestroyImmediate(other.GetComponent<MeshCollider>());
             return other.AddComponent<T>();
         }
 
         // Five walls that reach to the top but for one side.
-        void Vessel(float level)
+        private void Vessel(float level)
         {
             volume.Shape = FluidVolumeShape.Vessel;
             volume.Level = level;
@@ -288,13 +342,13 @@ namespace SphFluid.Tests
             Box(new Vector3(0f, -0.05f, -0.1f), new Vector3(0.24f, 0.2f, 0.04f));
         }
 
-        static Mesh Small(Mesh mesh)
+        private static Mesh Small(Mesh mesh)
         {
             mesh.vertices = mesh.vertices.Select(v => 0.2f * v).ToArray();
             return mesh;
         }
 
-        static Mesh Open()
+        private static Mesh Open()
         {
             Mesh mesh = Small(TestMeshes.Cube());
             mesh.triangles = mesh.triangles.Skip(3).ToArray();

@@ -30,8 +30,10 @@ namespace SphFluid.Tests
         [Test]
         public void WhatWasNotMeasuredHasNone()
         {
-            Assert.That(ErrorClass.Describe(FluidMethodKind.Standard, 2.25, 3.0), Does.StartWith("none: 3 particles deep, and waves were measured with"));
-            Assert.That(ErrorClass.Describe(FluidMethodKind.Standard, 3.0, 20.0), Does.StartWith("none: waves were not measured").And.Contains("κ = 3"));
+            Assert.That(ErrorClass.Describe(FluidMethodKind.Standard, 2.25, 3.0),
+                Does.StartWith("none: 3 particles deep, and waves were measured with"));
+            Assert.That(ErrorClass.Describe(FluidMethodKind.Standard, 3.0, 20.0),
+                Does.StartWith("none: waves were not measured").And.Contains("κ = 3"));
             Assert.That(ErrorClass.Describe(FluidMethodKind.Thesis, 2.0, 20.0), Does.StartWith("none: "));
         }
     }

@@ -9,7 +9,7 @@ namespace SphFluid.Tests
     /// <summary>The inspector's buttons cure what the message says, and can be undone.</summary>
     public sealed class FluidFixTests
     {
-        FluidSimulation simulation;
+        private FluidSimulation simulation;
 
         [SetUp]
         public void SetUp()
@@ -129,7 +129,7 @@ namespace SphFluid.Tests
             }
         }
 
-        void Cure(FluidIssue issue)
+        private void Cure(FluidIssue issue)
         {
             FluidMessage message = simulation.Validate().First(m => m.Issue == issue);
             FluidFix? fix = FluidFix.For(message, simulation);

@@ -11,11 +11,12 @@ namespace SphFluid.Tests
     /// <summary>Menu entries: what they make works, stands on what lies below, and goes in one step of undo.</summary>
     public sealed class FluidMenuTests
     {
-        static readonly MenuCommand Nowhere = new MenuCommand(null);
+        private static readonly MenuCommand Nowhere = new MenuCommand(null);
 
-        static readonly System.Action<MenuCommand>[] Entries =
+        private static readonly System.Action<MenuCommand>[] Entries =
         {
-            FluidMenu.CreateTank, FluidMenu.CreateWithSurface, FluidMenu.CreateWithParticles, FluidMenu.CreateEmitter, FluidMenu.CreateVolume,
+            FluidMenu.CreateTank, FluidMenu.CreateWithSurface, FluidMenu.CreateWithParticles, FluidMenu.CreateEmitter,
+            FluidMenu.CreateVolume,
             FluidMenu.CreateSphere, FluidMenu.CreateVessel, FluidMenu.CreateDrain, FluidMenu.CreateForceZone, FluidMenu.CreateSensor,
             FluidMenu.CreateProbe, FluidMenu.CreateGauge, FluidMenu.CreateFlux,
         };
@@ -43,7 +44,8 @@ namespace SphFluid.Tests
             var entries = typeof(FluidMenu).GetMethods().SelectMany(m => m.GetCustomAttributes(typeof(MenuItem), false)).Cast<MenuItem>()
                 .OrderBy(e => e.priority).Select(e => e.menuItem).ToArray();
             Assert.That(entries.First(), Is.EqualTo("GameObject/Fluid/Tank"));
-            Assert.That(entries, Is.SupersetOf(new[] { "GameObject/Fluid/Surface", "GameObject/Fluid/Particles", "GameObject/Fluid/Emitter" }));
+            Assert.That(entries,
+                Is.SupersetOf(new[] { "GameObject/Fluid/Surface", "GameObject/Fluid/Particles", "GameObject/Fluid/Emitter" }));
             Assert.That(entries.Select(e => e.Substring("GameObject/Fluid/".Length)), Has.None.Contains("Fluid"));
         }
 
@@ -57,10 +59,12 @@ namespace SphFluid.Tests
             Assert.That(Only<FluidVolume>().transform.parent, Is.EqualTo(simulation.transform));
             var glass = Only<FluidTank>();
             Assert.That(glass.Simulation, Is.EqualTo(simulation));
-            Assert.That(glass.GetComponent<MeshRenderer>().sharedMaterials.Select(m => m.shader.name), Is.EqualTo(new[] { "SPH Fluid/Glass", "SPH Fluid/Scenery" }));
+            Assert.That(glass.GetComponent<MeshRenderer>().sharedMaterials.Select(m => m.shader.name),
+                Is.EqualTo(new[] { "SPH Fluid/Glass", "SPH Fluid/Scenery" }));
             Bounds bounds = glass.GetComponent<MeshFilter>().sharedMesh.bounds;
             Assert.That(Vector3.Distance(bounds.size, simulation.DomainSize + 2f * glass.Edge * Vector3.one), Is.LessThan(1e-5f));
-            Assert.That(simulation.Validate().Concat(ViewRules.Check(simulation) is FluidMessage unseen ? new[] { unseen } : new FluidMessage[0])
+            Assert.That(simulation.Validate()
+                .Concat(ViewRules.Check(simulation) is FluidMessage unseen ? new[] { unseen } : new FluidMessage[0])
                 .Select(m => m.ToString()), Is.Empty);
         }
 
@@ -169,24 +173,25 @@ namespace SphFluid.Tests
             Assert.That(Only<FluidVolume>().transform.parent, Is.EqualTo(simulation.transform));
         }
 
-        static void CheckEmitter(FluidSimulation simulation)
+        private static void CheckEmitter(FluidSimulation simulation)
         {
             FluidEmitter emitter = Only<FluidEmitter>();
             Assert.That(emitter.transform.IsChildOf(simulation.transform));
             Matrix4x4 toDomain = simulation.LocalToWorld.inverse;
             Vector3 place = toDomain.MultiplyPoint3x4(emitter.transform.position);
-            Assert.That(place.y, Is.InRange(0.5f * simulation.DomainSize.y - 3f * simulation.Spacing, 0.5f * simulation.DomainSize.y - simulation.Spacing));
+            Assert.That(place.y,
+                Is.InRange(0.5f * simulation.DomainSize.y - 3f * simulation.Spacing, 0.5f * simulation.DomainSize.y - simulation.Spacing));
             Assert.That(Vector3.Distance(toDomain.MultiplyVector(emitter.transform.forward), Vector3.down), Is.LessThan(1e-5f));
             Assert.That(simulation.Validate().Select(m => m.ToString()), Is.Empty);
         }
 
-        static GameObject[] Roots() => SceneManager.GetActiveScene().GetRootGameObjects();
+        private static GameObject[] Roots() => SceneManager.GetActiveScene().GetRootGameObjects();
 
-        static T Only<T>(string name = null) where T : Component =>
+        private static T Only<T>(string name = null) where T : Component =>
             SceneObjects.All<T>().Single(c => name == null || c.name == name);
 
-        static float Bottom(FluidSimulation simulation) => simulation.transform.position.y - 0.5f * simulation.DomainSize.y;
+        private static float Bottom(FluidSimulation simulation) => simulation.transform.position.y - 0.5f * simulation.DomainSize.y;
 
-        static void Plane(Vector3 position) => GameObject.CreatePrimitive(PrimitiveType.Plane).transform.position = position;
+        private static void Plane(Vector3 position) => GameObject.CreatePrimitive(PrimitiveType.Plane).transform.position = position;
     }
 }

@@ -9,8 +9,8 @@ namespace SphFluid.Tests
     /// <summary>The inspector of a profile shows what the methods in use read.</summary>
     public sealed class FluidProfileEditorTests
     {
-        FluidProfile profile;
-        GameObject scene;
+        private FluidProfile profile;
+        private GameObject scene;
 
         [SetUp]
         public void SetUp() => profile = ScriptableObject.CreateInstance<FluidProfile>();
@@ -39,8 +39,10 @@ namespace SphFluid.Tests
         {
             Assert.That(FluidProfileEditor.Unread(new[] { FluidMethodKind.Standard }),
                 Is.EqualTo(new[] { "substeps", "wallDistanceRatio", "wallStiffnessRatio", "wallDampingRatio", "thesisSwitches" }));
-            Assert.That(FluidProfileEditor.Unread(new[] { FluidMethodKind.Standard, FluidMethodKind.Thesis }), Is.EqualTo(new[] { "substeps" }));
-            Assert.That(FluidProfileEditor.Unread(new[] { FluidMethodKind.Standard, FluidMethodKind.Thesis, FluidMethodKind.Robust }), Is.Empty);
+            Assert.That(FluidProfileEditor.Unread(new[] { FluidMethodKind.Standard, FluidMethodKind.Thesis }),
+                Is.EqualTo(new[] { "substeps" }));
+            Assert.That(FluidProfileEditor.Unread(new[] { FluidMethodKind.Standard, FluidMethodKind.Thesis, FluidMethodKind.Robust }),
+                Is.Empty);
         }
 
         [Test]
@@ -65,6 +67,6 @@ namespace SphFluid.Tests
             InspectorDrawing.Draw(profile);
         }
 
-        static FluidMethodKind[] Kinds() => FluidMethods.All.Select(m => m.Kind).ToArray();
+        private static FluidMethodKind[] Kinds() => FluidMethods.All.Select(m => m.Kind).ToArray();
     }
 }

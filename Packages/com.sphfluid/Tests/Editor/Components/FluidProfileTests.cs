@@ -8,7 +8,7 @@ namespace SphFluid.Tests
     /// <summary>Profiles hold only numbers that can be computed with, and the package's assets are complete.</summary>
     public sealed class FluidProfileTests
     {
-        FluidProfile profile;
+        private FluidProfile profile;
 
         [SetUp]
         public void Create() => profile = ScriptableObject.CreateInstance<FluidProfile>();
@@ -78,9 +78,11 @@ namespace SphFluid.Tests
             var set = ScriptableObject.CreateInstance<FluidShaderSet>();
             try
             {
-                Assert.That(set.Missing(FluidMethods.Get(FluidMethodKind.Thesis).Shaders.Shaders), Is.EqualTo(FluidMethods.Get(FluidMethodKind.Thesis).Shaders.Shaders).And.Contain("BitonicSort"));
+                Assert.That(set.Missing(FluidMethods.Get(FluidMethodKind.Thesis).Shaders.Shaders),
+                    Is.EqualTo(FluidMethods.Get(FluidMethodKind.Thesis).Shaders.Shaders).And.Contain("BitonicSort"));
                 set.ComputeShaders = new[] { TestShaders.Load("Shaders/Solver/Thesis/BitonicSort.compute"), null };
-                Assert.That(set.Missing(FluidMethods.Get(FluidMethodKind.Thesis).Shaders.Shaders), Does.Contain("CalculateNewPosition").And.Not.Contain("BitonicSort"));
+                Assert.That(set.Missing(FluidMethods.Get(FluidMethodKind.Thesis).Shaders.Shaders),
+                    Does.Contain("CalculateNewPosition").And.Not.Contain("BitonicSort"));
                 Assert.That(set.Missing(ShaderGroup.Drawing.Shaders), Does.Contain("SPH Fluid/Particles"));
             }
             finally

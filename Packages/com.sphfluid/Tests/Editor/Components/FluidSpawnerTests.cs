@@ -6,7 +6,9 @@ using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>Liquid boxes are filled with as many particles as their volume holds, once, inside the domain, the same every time.</summary>
+    /// <summary>
+    /// Liquid boxes are filled with as many particles as their volume holds, once, inside the domain, the same every time.
+    /// </summary>
     public sealed class FluidSpawnerTests
     {
         [TestCase(0.4f, 0.2f, 0.6f, 0.1f, 4 * 2 * 6)]
@@ -84,7 +86,8 @@ namespace SphFluid.Tests
         public void TouchingBoxesFitTogether()
         {
             SpawnResult result = FluidSpawner.Fill(Request(0.1f,
-                Box(new Vector3(-0.2f, 0f, 0f), new Vector3(0.4f, 0.4f, 0.4f)), Box(new Vector3(0.2f, 0f, 0f), new Vector3(0.4f, 0.4f, 0.4f))));
+                Box(new Vector3(-0.2f, 0f, 0f), new Vector3(0.4f, 0.4f, 0.4f)),
+                Box(new Vector3(0.2f, 0f, 0f), new Vector3(0.4f, 0.4f, 0.4f))));
             Assert.That(result.Particles.Count, Is.EqualTo(8 * 4 * 4));
             Assert.That(result.Tallies[1].Shared, Is.Zero);
         }
@@ -219,13 +222,13 @@ namespace SphFluid.Tests
             Assert.That(() => ParticleCountFit.Spacing(Request(0.1f), 0), Throws.InstanceOf<ArgumentOutOfRangeException>());
         }
 
-        static SpawnRequest Request(float spacing, params LiquidBox[] boxes) =>
+        private static SpawnRequest Request(float spacing, params LiquidBox[] boxes) =>
             new SpawnRequest { DomainSize = new Vector3(2f, 2f, 2f), Spacing = spacing, Shapes = boxes };
 
-        static LiquidBox Box(Vector3 center, Vector3 size, Vector3 velocity = default) =>
+        private static LiquidBox Box(Vector3 center, Vector3 size, Vector3 velocity = default) =>
             new LiquidBox("box", Matrix4x4.TRS(center, Quaternion.identity, size), velocity);
 
-        static float SmallestDistance(List<FluidParticle> particles)
+        private static float SmallestDistance(List<FluidParticle> particles)
         {
             float smallest = float.MaxValue;
             for (int i = 0; i < particles.Count; i++)

@@ -51,7 +51,8 @@ namespace SphFluid.Tests
             device.ComputeBuffers = 8;
             FluidSupport support = FluidSupport.From(device);
             Assert.That(support.Simulation && support.Supports(FluidMethodKind.Thesis) && !support.Supports(FluidMethodKind.Standard));
-            Assert.That(support.ErrorsOf(FluidMethodKind.Standard).Single().ToString(), Does.Contain("binds 8 buffers").And.Contain("Method to Thesis"));
+            Assert.That(support.ErrorsOf(FluidMethodKind.Standard).Single().ToString(),
+                Does.Contain("binds 8 buffers").And.Contain("Method to Thesis"));
         }
 
         [Test]
@@ -61,7 +62,9 @@ namespace SphFluid.Tests
             device.ComputeBuffers = 16;
             FluidSupport support = FluidSupport.From(device);
             foreach (FluidMethodKind method in new[] { FluidMethodKind.Standard, FluidMethodKind.Robust, FluidMethodKind.Thesis })
+            {
                 Assert.That(support.ErrorsOf(method), Is.Empty, method.ToString());
+            }
             Assert.That(support.Surface && !support.WallForces);
             FluidMessage message = support.Messages.Single();
             Assert.That(message.Severity, Is.EqualTo(FluidSeverity.Info));
@@ -80,7 +83,9 @@ namespace SphFluid.Tests
             Assert.That(support.Messages.Select(m => m.Text), Has.Some.Contain(reason).And.Some.Contain("the Standard method"));
             Assert.That(support.Messages.Select(m => m.Severity), Has.Some.EqualTo(FluidSeverity.Error));
             foreach (FluidMethodKind method in new[] { FluidMethodKind.Standard, FluidMethodKind.Thesis })
+            {
                 Assert.That(support.ErrorsOf(method).Single().Cure, Does.Contain("another graphics device"));
+            }
         }
 
         [Test]
@@ -99,7 +104,9 @@ namespace SphFluid.Tests
         {
             FluidSupport support = FluidSupport.Query();
             foreach (FluidMethodKind method in new[] { FluidMethodKind.Standard, FluidMethodKind.Thesis })
+            {
                 Assert.That(support.Supports(method), Is.EqualTo(support.ErrorsOf(method).Count == 0));
+            }
         }
 
         [Test]
@@ -113,9 +120,10 @@ namespace SphFluid.Tests
             Assert.That(support.Messages.Single().Cure, Does.Contain("Fluid Surface Renderer"));
         }
 
-        static DeviceCapabilities Device() => new DeviceCapabilities
+        private static DeviceCapabilities Device() => new DeviceCapabilities
         {
-            Name = "Old Card", ComputeShaders = true, GeometryShaders = true, AsyncReadback = true, GroupThreads = 1024, ComputeBuffers = 20,
+            Name = "Old Card", ComputeShaders = true, GeometryShaders = true, AsyncReadback = true, GroupThreads = 1024,
+            ComputeBuffers = 20,
             VertexBuffers = 16,
         };
     }

@@ -6,7 +6,7 @@ using Object = UnityEngine.Object;
 namespace SphFluid.Tests
 {
     /// <summary>Draws inspectors as a window does: once to lay out, once to paint.</summary>
-    static class InspectorDrawing
+    internal static class InspectorDrawing
     {
         /// <summary>Ignores the test where the Editor lets nothing be drawn outside a window.</summary>
         public static void Draw(params Object[] targets)

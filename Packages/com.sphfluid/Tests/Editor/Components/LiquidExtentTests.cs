@@ -6,8 +6,8 @@ namespace SphFluid.Tests
     /// <summary>How far the liquid can fall and how fast a force can make it.</summary>
     public sealed class LiquidExtentTests
     {
-        static readonly Vector3 Domain = new Vector3(2f, 3f, 4f);
-        static readonly Vector3 Down = new Vector3(0f, -9.81f, 0f);
+        private static readonly Vector3 Domain = new Vector3(2f, 3f, 4f);
+        private static readonly Vector3 Down = new Vector3(0f, -9.81f, 0f);
 
         [Test]
         public void FallHeightIsFromTheTopOfTheLiquidToTheFloor()
@@ -36,7 +36,7 @@ namespace SphFluid.Tests
             Assert.That(extent.SpeedBy(default), Is.Zero);
         }
 
-        static LiquidExtent Extent(Vector3 center, Vector3 size) =>
+        private static LiquidExtent Extent(Vector3 center, Vector3 size) =>
             LiquidExtent.Create(new[] { new LiquidBox("box", Matrix4x4.TRS(center, Quaternion.identity, size), Vector3.zero) }, Domain);
     }
 }

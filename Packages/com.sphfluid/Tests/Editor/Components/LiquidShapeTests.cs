@@ -8,14 +8,15 @@ namespace SphFluid.Tests
     /// <summary>Spheres and meshes hold as many particles as their volume, inside, with their velocity.</summary>
     public sealed class LiquidShapeTests
     {
-        const float Spacing = 0.04f;
+        private const float Spacing = 0.04f;
 
         [TestCase(0.8f, 0.8f, 0.8f, 0f)]
         [TestCase(0.9f, 0.6f, 0.75f, 0f)]
         [TestCase(0.9f, 0.6f, 0.75f, 33f)]
         public void AnEllipsoidHoldsItsVolume(float x, float y, float z, float angle)
         {
-            Matrix4x4 frame = Matrix4x4.TRS(new Vector3(0.11f, -0.07f, 0.03f), Quaternion.Euler(angle, 2f * angle, 0f), new Vector3(x, y, z));
+            Matrix4x4 frame = Matrix4x4.TRS(new Vector3(0.11f, -0.07f, 0.03f), Quaternion.Euler(angle, 2f * angle, 0f),
+                new Vector3(x, y, z));
             var velocity = new Vector3(1f, 2f, 3f);
             SpawnResult result = Fill(new LiquidEllipsoid("drop", frame, velocity));
             Assert.That(result.Particles.Count, Is.EqualTo(Math.PI / 6.0 * x * y * z / Math.Pow(Spacing, 3)).Within(2).Percent);
@@ -45,14 +46,18 @@ namespace SphFluid.Tests
             SpawnResult mesh = Fill(new LiquidMesh("mesh", PrimitiveTessellator.Box(frame), Vector3.zero));
             Assert.That(mesh.Particles.Count, Is.EqualTo(box.Particles.Count));
             for (int i = 0; i < box.Particles.Count; i++)
+            {
                 Assert.That((mesh.Particles[i].Position - box.Particles[i].Position).magnitude, Is.LessThan(1e-5f));
+            }
         }
 
         [Test]
         public void ABoxAnchorsTheLatticeBeforeASphere()
         {
-            var drop = new LiquidEllipsoid("drop", Matrix4x4.TRS(new Vector3(0.013f, 0.5f, 0f), Quaternion.identity, 0.33f * Vector3.one), Vector3.zero);
-            var pool = new LiquidBox("pool", Matrix4x4.TRS(new Vector3(0f, -0.8f, 0f), Quaternion.identity, new Vector3(2f, 0.4f, 2f)), Vector3.zero);
+            var drop = new LiquidEllipsoid("drop", Matrix4x4.TRS(new Vector3(0.013f, 0.5f, 0f), Quaternion.identity, 0.33f * Vector3.one),
+                Vector3.zero);
+            var pool = new LiquidBox("pool", Matrix4x4.TRS(new Vector3(0f, -0.8f, 0f), Quaternion.identity, new Vector3(2f, 0.4f, 2f)),
+                Vector3.zero);
             float lowest = Fill(drop, pool).Particles.Min(p => p.Position.y);
             Assert.That(lowest, Is.EqualTo(-1f + 0.5f * Spacing).Within(1e-5f));
         }
@@ -60,7 +65,9 @@ namespace SphFluid.Tests
         [Test]
         public void OfASphereHalfOutsideHalfIsReported()
         {
-            SpawnResult result = Fill(new LiquidEllipsoid("drop", Matrix4x4.TRS(new Vector3(1f, 0f, 0f), Quaternion.identity, 0.8f * Vector3.one), Vector3.zero));
+            SpawnResult result =
+                Fill(new LiquidEllipsoid("drop", Matrix4x4.TRS(new Vector3(1f, 0f, 0f), Quaternion.identity, 0.8f * Vector3.one),
+                    Vector3.zero));
             Assert.That(result.Tallies[0].OutsideShare, Is.EqualTo(0.5).Within(0.01));
         }
 
@@ -71,7 +78,7 @@ namespace SphFluid.Tests
             Assert.That(TestMeshes.Sphere(1f, 0.1f).OpenEdges(), Is.Empty);
         }
 
-        static SpawnResult Fill(params LiquidShape[] shapes) =>
+        private static SpawnResult Fill(params LiquidShape[] shapes) =>
             FluidSpawner.Fill(new SpawnRequest { DomainSize = new Vector3(2f, 2f, 2f), Spacing = Spacing, Shapes = shapes });
     }
 }

@@ -8,10 +8,10 @@ namespace SphFluid.Tests
     /// <summary>A cup of triangles is filled to its level; where it leaks, the place and the level that it holds are reported.</summary>
     public sealed class LiquidVesselTests
     {
-        const float Spacing = 0.04f, Radius = 0.3f, Depth = 0.6f;
-        const int Sides = 32;
+        private const float Spacing = 0.04f, Radius = 0.3f, Depth = 0.6f;
+        private const int Sides = 32;
 
-        ColliderRig rig;
+        private ColliderRig rig;
 
         [SetUp]
         public void SetUp() => rig = new ColliderRig { DomainSize = new Vector3(2f, 2f, 2f), Spacing = Spacing };
@@ -29,7 +29,8 @@ namespace SphFluid.Tests
             (LiquidVessel vessel, SpawnResult result) = Fill(level);
             Assert.That(vessel.Leak, Is.Null);
             // The mean depth under a tilted surface is that on the axis: the seed lies a twentieth above the floor.
-            double volume = 0.5 * Sides * Math.Sin(2.0 * Math.PI / Sides) * Radius * Radius * (level / Math.Cos(tilt * Math.PI / 180.0) + 0.05);
+            double volume = 0.5 * Sides * Math.Sin(2.0 * Math.PI / Sides) * Radius * Radius *
+                (level / Math.Cos(tilt * Math.PI / 180.0) + 0.05);
             SpawnTally tally = result.Tallies[0];
             Assert.That(tally.Filled + tally.Carved, Is.EqualTo(volume / Math.Pow(Spacing, 3)).Within(2).Percent);
             Assert.That(tally.Expected, Is.EqualTo(tally.Filled + tally.Carved).Within(0.51));
@@ -88,7 +89,7 @@ namespace SphFluid.Tests
             Assert.That(FluidSpawner.Measure(request).Needed, Is.EqualTo(1000).Within(8).Percent);
         }
 
-        (LiquidVessel vessel, SpawnResult result) Fill(float level, bool domainHolds = false)
+        private (LiquidVessel vessel, SpawnResult result) Fill(float level, bool domainHolds = false)
         {
             LiquidVessel vessel = Vessel(level, domainHolds);
             SpawnResult result = FluidSpawner.Fill(new SpawnRequest
@@ -99,7 +100,7 @@ namespace SphFluid.Tests
             return (vessel, result);
         }
 
-        LiquidVessel Vessel(float level, bool domainHolds)
+        private LiquidVessel Vessel(float level, bool domainHolds)
         {
             rig.Gather();
             return new LiquidVessel("vessel", new VesselInput
@@ -110,7 +111,7 @@ namespace SphFluid.Tests
         }
 
         // Single faces, open at the top, the floor a twentieth below the origin; without the floor's triangles from 0 to the gap.
-        void AddCup(float depth, Quaternion turn, int gap = 0)
+        private void AddCup(float depth, Quaternion turn, int gap = 0)
         {
             var vertices = new Vector3[2 * Sides + 1];
             var indices = new System.Collections.Generic.List<int>();

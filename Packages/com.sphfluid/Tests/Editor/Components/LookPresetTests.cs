@@ -12,13 +12,13 @@ namespace SphFluid.Tests
     /// <summary>The presets of looks name fields that Fluid Surface Renderer has, with values that it takes.</summary>
     public sealed class LookPresetTests
     {
-        const string Folder = "Packages/com.sphfluid/Editor/Presets";
+        private const string Folder = "Packages/com.sphfluid/Editor/Presets";
 
-        static readonly Regex Value = new Regex("propertyPath: (\\S+)\\n    value: (\\S+)\\n    objectReference: {fileID: 0}");
-        static readonly Regex Script = new Regex("m_ManagedTypePPtr: {fileID: 11500000, guid: ([0-9a-f]{32}), type: 3}");
+        private static readonly Regex Value = new Regex("propertyPath: (\\S+)\\n    value: (\\S+)\\n    objectReference: {fileID: 0}");
+        private static readonly Regex Script = new Regex("m_ManagedTypePPtr: {fileID: 11500000, guid: ([0-9a-f]{32}), type: 3}");
 
-        GameObject holder;
-        FluidSurfaceRenderer drawing;
+        private GameObject holder;
+        private FluidSurfaceRenderer drawing;
 
         [SetUp]
         public void SetUp()
@@ -61,8 +61,11 @@ namespace SphFluid.Tests
         [Test]
         public void AWholeColourIsSet([ValueSource(nameof(Presets))] string name)
         {
-            foreach (IGrouping<string, string> colour in Values(name).Keys.Where(p => Regex.IsMatch(p, "\\.[rgba]$")).GroupBy(p => p.Substring(0, p.Length - 2)))
+            foreach (IGrouping<string, string> colour in Values(name).Keys.Where(p => Regex.IsMatch(p, "\\.[rgba]$"))
+                .GroupBy(p => p.Substring(0, p.Length - 2)))
+            {
                 Assert.That(colour.Select(p => p[p.Length - 1]), Is.EqualTo("rgba"), colour.Key);
+            }
         }
 
         [Test]
@@ -73,23 +76,26 @@ namespace SphFluid.Tests
             Assert.That((FluidSurfaceLook)values["look"], Is.EqualTo(drawing.Look));
             Assert.That(Colour(values, "water.colorAtOneMetre"), Is.EqualTo(water.ColorAtOneMetre));
             Assert.That(Colour(values, "water.scattering"), Is.EqualTo(water.Scattering));
-            Assert.That(new[] { values["water.visibility"], values["water.refraction"], values["water.smoothness"], values["water.shadow"], values["water.spray"] },
+            Assert.That(new[] { values["water.visibility"], values["water.refraction"], values["water.smoothness"], values["water.shadow"],
+                values["water.spray"] },
                 Is.EqualTo(new[] { water.Visibility, water.Refraction, water.Smoothness, water.Shadow, water.Spray }));
         }
 
         [Test]
         public void MilkIsOpaqueAndTheOthersAreNot([ValueSource(nameof(Presets))] string name) =>
-            Assert.That((FluidSurfaceLook)Values(name)["look"], Is.EqualTo(name == "Milk" ? FluidSurfaceLook.Opaque : FluidSurfaceLook.Water));
+            Assert.That((FluidSurfaceLook)Values(name)["look"],
+                Is.EqualTo(name == "Milk" ? FluidSurfaceLook.Opaque : FluidSurfaceLook.Water));
 
-        static string[] Presets() => Directory.GetFiles(Path.GetFullPath(Folder), "*.preset").Select(Path.GetFileNameWithoutExtension)
+        private static string[] Presets() => Directory.GetFiles(Path.GetFullPath(Folder), "*.preset")
+            .Select(Path.GetFileNameWithoutExtension)
             .OrderBy(n => n, System.StringComparer.Ordinal).ToArray();
 
-        static string Text(string name) => File.ReadAllText(Path.GetFullPath($"{Folder}/{name}.preset")).Replace("\r\n", "\n");
+        private static string Text(string name) => File.ReadAllText(Path.GetFullPath($"{Folder}/{name}.preset")).Replace("\r\n", "\n");
 
-        static IReadOnlyDictionary<string, float> Values(string name) => Value.Matches(Text(name)).Cast<Match>()
+        private static IReadOnlyDictionary<string, float> Values(string name) => Value.Matches(Text(name)).Cast<Match>()
             .ToDictionary(m => m.Groups[1].Value, m => float.Parse(m.Groups[2].Value, CultureInfo.InvariantCulture));
 
-        static Color Colour(IReadOnlyDictionary<string, float> values, string field) =>
+        private static Color Colour(IReadOnlyDictionary<string, float> values, string field) =>
             new Color(values[field + ".r"], values[field + ".g"], values[field + ".b"], values[field + ".a"]);
     }
 }

@@ -12,14 +12,15 @@ namespace SphFluid.Tests
     /// <summary>Each component and asset has a page of the manual and an icon.</summary>
     public sealed class ManualPageTests
     {
-        const string Package = "Packages/com.sphfluid/";
-        const int IconSize = 64;
+        private const string Package = "Packages/com.sphfluid/";
+        private const int IconSize = 64;
 
-        static readonly Regex Icon = new Regex("icon: {fileID: 2800000, guid: ([0-9a-f]{32}), type: 3}");
+        private static readonly Regex Icon = new Regex("icon: {fileID: 2800000, guid: ([0-9a-f]{32}), type: 3}");
 
         [Test]
         public void AllComponentsAndAssetsAreLookedAt() =>
-            Assert.That(Documented(), Is.SupersetOf(new[] { typeof(FluidSimulation), typeof(FluidSurfaceMesh), typeof(FluidProfile), typeof(FluidShaderSet) }));
+            Assert.That(Documented(),
+                Is.SupersetOf(new[] { typeof(FluidSimulation), typeof(FluidSurfaceMesh), typeof(FluidProfile), typeof(FluidShaderSet) }));
 
         [Test]
         public void TheHelpIsAHeadingOfAPageThatExists([ValueSource(nameof(Documented))] Type type)
@@ -41,8 +42,10 @@ namespace SphFluid.Tests
         [Test]
         public void AddressesOnASiteHaveTheHeading()
         {
-            Assert.That(FluidManual.Address("tuning", "profile", site: "https://example.com/manual/"), Is.EqualTo("https://example.com/manual/tuning.md#profile"));
-            Assert.That(FluidManual.Address("tuning", "", site: "https://example.com/manual/"), Is.EqualTo("https://example.com/manual/tuning.md"));
+            Assert.That(FluidManual.Address("tuning", "profile", site: "https://example.com/manual/"),
+                Is.EqualTo("https://example.com/manual/tuning.md#profile"));
+            Assert.That(FluidManual.Address("tuning", "", site: "https://example.com/manual/"),
+                Is.EqualTo("https://example.com/manual/tuning.md"));
         }
 
         [Test]
@@ -65,7 +68,8 @@ namespace SphFluid.Tests
                 var picture = AssetDatabase.LoadAssetAtPath<Texture2D>(path);
                 Assert.That(picture != null, $"{type.Name}: no picture at '{path}'");
                 Assert.That((picture.width, picture.height), Is.EqualTo((IconSize, IconSize)), path);
-                Assert.That(owners.ContainsKey(path), Is.False, $"{type.Name} and {(owners.TryGetValue(path, out Type other) ? other.Name : "")} have {path}");
+                Assert.That(owners.ContainsKey(path), Is.False,
+                    $"{type.Name} and {(owners.TryGetValue(path, out Type other) ? other.Name : "")} have {path}");
                 owners.Add(path, type);
             }
         }
@@ -73,26 +77,28 @@ namespace SphFluid.Tests
         [TestCase("The thesis's surface", "the-thesiss-surface")]
         [TestCase("Any material: Fluid Surface Mesh", "any-material-fluid-surface-mesh")]
         [TestCase("Size the box", "size-the-box")]
-        public void AHeadingsLinkIsAsWebSitesMakeIt(string heading, string link) => Assert.That(ManualHeadings.Link(heading), Is.EqualTo(link));
+        public void AHeadingsLinkIsAsWebSitesMakeIt(string heading, string link) =>
+        Assert.That(ManualHeadings.Link(heading), Is.EqualTo(link));
 
         // What is internal, nobody adds.
-        static Type[] Documented() => typeof(FluidSimulation).Assembly.GetTypes()
-            .Where(t => t.IsPublic && !t.IsAbstract && (typeof(MonoBehaviour).IsAssignableFrom(t) || typeof(ScriptableObject).IsAssignableFrom(t))).ToArray();
+        private static Type[] Documented() => typeof(FluidSimulation).Assembly.GetTypes()
+            .Where(t => t.IsPublic && !t.IsAbstract &&
+                (typeof(MonoBehaviour).IsAssignableFrom(t) || typeof(ScriptableObject).IsAssignableFrom(t))).ToArray();
 
-        static ManualPageAttribute Page(Type type)
+        private static ManualPageAttribute Page(Type type)
         {
             var page = (ManualPageAttribute)Attribute.GetCustomAttribute(type, typeof(HelpURLAttribute));
             Assert.That(page, Is.Not.Null, $"{type.Name} has no [ManualPage]");
             return page;
         }
 
-        static string Meta(Type type)
+        private static string Meta(Type type)
         {
             string[] found = Directory.GetFiles(Path.GetFullPath(Package + "Runtime"), type.Name + ".cs.meta", SearchOption.AllDirectories);
             Assert.That(found, Has.Length.EqualTo(1), type.Name);
             return found[0];
         }
 
-        static string Text(string path) => File.ReadAllText(Path.GetFullPath(path));
+        private static string Text(string path) => File.ReadAllText(Path.GetFullPath(path));
     }
 }

@@ -9,7 +9,7 @@ namespace SphFluid.Tests
     /// <summary>Inspectors of several objects at once, and what inspectors may not do.</summary>
     public sealed class MultiEditingTests
     {
-        GameObject first, second;
+        private GameObject first, second;
 
         [SetUp]
         public void SetUp()
@@ -29,7 +29,9 @@ namespace SphFluid.Tests
         public void EveryInspectorDrawsSeveralObjects()
         {
             foreach (MonoBehaviour component in first.GetComponents<MonoBehaviour>())
+            {
                 InspectorDrawing.Draw(component, second.GetComponent(component.GetType()));
+            }
         }
 
         [Test]
@@ -37,7 +39,9 @@ namespace SphFluid.Tests
         {
             foreach (System.Type type in typeof(FluidSimulationEditor).Assembly.GetTypes())
                 if (typeof(UnityEditor.Editor).IsAssignableFrom(type))
+                {
                     Assert.That(type.IsDefined(typeof(CanEditMultipleObjects), false), type.Name);
+                }
         }
 
         [TestCase(FluidTimeStepMode.Automatic, FluidTimeStepMode.Automatic, true)]
@@ -59,7 +63,9 @@ namespace SphFluid.Tests
             first.GetComponent<FluidSimulation>().Method = one;
             second.GetComponent<FluidSimulation>().Method = other;
             foreach (string field in new[] { "frameBudget", "budgetFrameRate" })
+            {
                 Assert.That(FluidSimulationEditor.Hidden(Both<FluidSimulation>()).Contains(field), Is.EqualTo(hidden), field);
+            }
         }
 
         [Test]
@@ -95,15 +101,16 @@ namespace SphFluid.Tests
             Assert.That(ViewRules.Check(simulation), Is.Null);
             foreach (FluidView view in first.GetComponents<FluidView>()) view.enabled = false;
             FluidMessage message = ViewRules.Check(simulation).Value;
-            Assert.That(message.ToString(), Does.Contain("'First'").And.Contain("No component draws").And.Contain("Add a Fluid Surface Renderer"));
+            Assert.That(message.ToString(),
+                Does.Contain("'First'").And.Contain("No component draws").And.Contain("Add a Fluid Surface Renderer"));
             FluidFix.For(message, simulation).Value.Apply();
             Assert.That(ViewRules.Check(simulation), Is.Null);
         }
 
-        SerializedObject Both<T>() where T : Component =>
+        private SerializedObject Both<T>() where T : Component =>
             new SerializedObject(new Object[] { first.GetComponent<T>(), second.GetComponent<T>() });
 
-        static GameObject Make(string name)
+        private static GameObject Make(string name)
         {
             var made = new GameObject(name);
             made.AddComponent<FluidSimulation>();

@@ -12,12 +12,12 @@ namespace SphFluid.Tests
     /// <summary>Play mode without a domain reload: a second play begins with the statics of the first, and goes as the first did.</summary>
     public sealed class PlayTwiceTests
     {
-        const int Frames = 3;
+        private const int Frames = 3;
 
-        static readonly List<string> Planted = new List<string>();
+        private static readonly List<string> Planted = new List<string>();
 
-        SimulationRig rig;
-        RenderTexture picture;
+        private SimulationRig rig;
+        private RenderTexture picture;
 
         [TearDown]
         public void TearDown()
@@ -30,8 +30,11 @@ namespace SphFluid.Tests
         public IEnumerator ASecondPlayBeginsAndGoesAsTheFirst()
         {
             GpuTest.Require();
-            if (!EditorSettings.enterPlayModeOptionsEnabled || (EditorSettings.enterPlayModeOptions & EnterPlayModeOptions.DisableDomainReload) == 0)
+            if (!EditorSettings.enterPlayModeOptionsEnabled ||
+                (EditorSettings.enterPlayModeOptions & EnterPlayModeOptions.DisableDomainReload) == 0)
+            {
                 Assert.Ignore("This project's settings reload the domain when play mode is entered.");
+            }
             var begun = new Dictionary<string, string>[2];
             var hashes = new ulong[2];
             for (int play = 0; play < 2; play++)
@@ -41,14 +44,17 @@ namespace SphFluid.Tests
                 FluidSimulation simulation = PlayEverything();
                 for (int frame = 0; frame < Frames; frame++) yield return null;
                 Assert.That(simulation.StepCount, Is.Positive, simulation.StatusMessage);
-                Assert.That((WaterCameras.IsListening, MainLightShadows.IsListening), Is.EqualTo((true, true)), "water and shadows are part of it");
+                Assert.That((WaterCameras.IsListening, MainLightShadows.IsListening), Is.EqualTo((true, true)),
+                    "water and shadows are part of it");
                 hashes[play] = simulation.ComputeStateHash();
                 yield return new ExitPlayMode();
                 TearDown();
-                Assert.That(StaticState.Read().Where(s => StaticState.LeadsToTheEngine(s.Value)).Select(s => $"{s.Key}: {Start(s.Value)}"), Is.Empty, "after play");
+                Assert.That(StaticState.Read().Where(s => StaticState.LeadsToTheEngine(s.Value)).Select(s => $"{s.Key}: {Start(s.Value)}"),
+                    Is.Empty, "after play");
             }
             Assert.That(begun[0].Count, Is.GreaterThan(100));
-            Assert.That(begun[1].Where(s => begun[0][s.Key] != s.Value).Select(s => $"{s.Key}: {Start(begun[0][s.Key])}, then {Start(s.Value)}"), Is.Empty, "as play begins");
+            Assert.That(begun[1].Where(s => begun[0][s.Key] != s.Value)
+                .Select(s => $"{s.Key}: {Start(begun[0][s.Key])}, then {Start(s.Value)}"), Is.Empty, "as play begins");
             Assert.That(hashes[1], Is.EqualTo(hashes[0]));
         }
 
@@ -63,14 +69,17 @@ namespace SphFluid.Tests
             cyclic[1] = cyclic;
             Assert.That(StaticState.Tell(cyclic), Is.EqualTo("[1; as above; ]"));
             var holder = new GameObject("Held");
-            Assert.That(StaticState.LeadsToTheEngine(StaticState.Tell(new List<KeyValuePair<string, Transform>> { new KeyValuePair<string, Transform>("", holder.transform) })));
+            Assert.That(
+                StaticState.LeadsToTheEngine(
+                    StaticState.Tell(
+                        new List<KeyValuePair<string, Transform>> { new KeyValuePair<string, Transform>("", holder.transform) })));
             UnityEngine.Object.DestroyImmediate(holder);
         }
 
-        static string Start(string text) => text.Length > 80 ? text.Substring(0, 80) : text;
+        private static string Start(string text) => text.Length > 80 ? text.Substring(0, 80) : text;
 
         // A liquid with one of every component of the package at it.
-        FluidSimulation PlayEverything()
+        private FluidSimulation PlayEverything()
         {
             rig = new SimulationRig();
             LogAssert.ignoreFailingMessages = true;
@@ -82,10 +91,12 @@ namespace SphFluid.Tests
             light.shadows = LightShadows.Soft;
             FluidSimulation simulation = rig.Create();
             simulation.Method = FluidMethodKind.Standard;
-            foreach (Type type in typeof(FluidSimulation).Assembly.GetTypes().Where(t => t.IsPublic && !t.IsAbstract && typeof(MonoBehaviour).IsAssignableFrom(t)))
+            foreach (Type type in typeof(FluidSimulation).Assembly.GetTypes()
+                .Where(t => t.IsPublic && !t.IsAbstract && typeof(MonoBehaviour).IsAssignableFrom(t)))
             {
                 if (type == typeof(FluidSimulation)) continue;
-                bool beside = type.GetCustomAttributes(typeof(RequireComponent), true).Cast<RequireComponent>().Any(r => r.m_Type0 == typeof(FluidSimulation));
+                bool beside = type.GetCustomAttributes(typeof(RequireComponent), true).Cast<RequireComponent>()
+                    .Any(r => r.m_Type0 == typeof(FluidSimulation));
                 GameObject holder = beside ? simulation.gameObject : rig.NewObject(type.Name);
                 if (!beside) holder.transform.SetParent(simulation.transform, false);
                 if (type == typeof(FluidCollider)) holder.AddComponent<BoxCollider>().size = 0.1f * Vector3.one;

@@ -11,9 +11,9 @@ namespace SphFluid.Tests
     /// <summary>A simulation in a prefab: as an asset, which no scene holds, and in the scene in which a prefab is edited.</summary>
     public sealed class PrefabAssetTests
     {
-        const string Path = "Packages/com.sphfluid/Tests/Editor/Components/FluidTank.prefab";
+        private const string Path = "Packages/com.sphfluid/Tests/Editor/Components/FluidTank.prefab";
 
-        GameObject contents;
+        private GameObject contents;
 
         [TearDown]
         public void Close()
@@ -65,7 +65,9 @@ namespace SphFluid.Tests
         public void EveryInspectorOfAnAssetDraws()
         {
             foreach (MonoBehaviour component in Asset().transform.root.GetComponentsInChildren<MonoBehaviour>(true))
+            {
                 InspectorDrawing.Draw(component);
+            }
         }
 
         [Test]
@@ -111,7 +113,7 @@ namespace SphFluid.Tests
             }
         }
 
-        static FluidSimulation Asset()
+        private static FluidSimulation Asset()
         {
             var prefab = AssetDatabase.LoadAssetAtPath<GameObject>(Path);
             Assert.That(prefab, Is.Not.Null, Path);
@@ -119,6 +121,6 @@ namespace SphFluid.Tests
             return prefab.GetComponent<FluidSimulation>();
         }
 
-        GameObject Open() => contents = PrefabUtility.LoadPrefabContents(Path);
+        private GameObject Open() => contents = PrefabUtility.LoadPrefabContents(Path);
     }
 }

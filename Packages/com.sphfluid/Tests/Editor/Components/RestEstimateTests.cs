@@ -6,7 +6,7 @@ namespace SphFluid.Tests
     public sealed class RestEstimateTests
     {
         // Sound crosses in 0.1 s, liquid settles for 0.8 s at most.
-        static RestEstimate Estimate(double flow = 0.0) => new RestEstimate(0.1, 0.8, flow);
+        private static RestEstimate Estimate(double flow = 0.0) => new RestEstimate(0.1, 0.8, flow);
 
         [TestCase(3.0)]
         [TestCase(8.0)]
@@ -23,7 +23,8 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void BeforeAnythingIsKnownTheLongestTimeIsLeft() => Assert.That(Estimate().Settling(0.0, 50.0), Is.EqualTo(0.8).Within(1e-12));
+        public void BeforeAnythingIsKnownTheLongestTimeIsLeft() =>
+        Assert.That(Estimate().Settling(0.0, 50.0), Is.EqualTo(0.8).Within(1e-12));
 
         [Test]
         public void LiquidThatDoesNotSettleWillFlow()

@@ -7,7 +7,7 @@ namespace SphFluid.Tests
     /// <summary>What is said of a step's cost before Play: what was measured on this device, or that nothing was.</summary>
     public sealed class StepCostTests
     {
-        static readonly StepCostKey Standard = StepCostKey.Create(FluidMethodKind.Standard, 2.25, false);
+        private static readonly StepCostKey Standard = StepCostKey.Create(FluidMethodKind.Standard, 2.25, false);
 
         [SetUp]
         public void SetUp() => StepCosts.Use(new StepCostTable());
@@ -20,7 +20,10 @@ namespace SphFluid.Tests
         {
             Assert.That(StepCosts.TryFind(Standard, 10000, out _), Is.False);
             if (StepTimer.IsSupported)
-                Assert.That(DomainText.Estimate(Standard, 10000, 10), Is.EqualTo("not measured on this device yet: look at it here in play"));
+            {
+                Assert.That(DomainText.Estimate(Standard, 10000, 10),
+                    Is.EqualTo("not measured on this device yet: look at it here in play"));
+            }
         }
 
         [Test]
@@ -38,7 +41,8 @@ namespace SphFluid.Tests
             var costs = new StepCostTable();
             costs.Record(Standard, new StepCost { Particles = 1000, Milliseconds = 0.123456789, InPlay = true });
             string packed = StepCosts.Pack(costs);
-            Assert.That(StepCosts.Unpack(packed).TryFind(Standard, 1000, out StepCost found) && found.Milliseconds == 0.123456789 && found.InPlay);
+            Assert.That(StepCosts.Unpack(packed).TryFind(Standard, 1000, out StepCost found) && found.Milliseconds == 0.123456789 &&
+                found.InPlay);
             Assert.That(StepCosts.Unpack(packed.Replace(FluidPackage.Version, "0.0.9")).Count, Is.Zero, "another version");
             Assert.That(StepCosts.Unpack(packed.Replace(SystemInfo.graphicsDeviceName, "Other")).Count, Is.Zero, "another device");
             Assert.That(StepCosts.Unpack("").Count, Is.Zero);

@@ -44,7 +44,9 @@ namespace SphFluid.Tests
             var monitor = new SubstepMonitor();
             var clock = new StepClock(0.00125, 64);
             for (int frame = 0; frame < 200; frame++)
+            {
                 Assert.That(Note(monitor, clock, frame % 70 == 10 ? 0.3333 : 0.0167), Is.Null, $"frame {frame}");
+            }
             Assert.That(monitor.CapHits, Is.EqualTo(3));
         }
 
@@ -83,7 +85,7 @@ namespace SphFluid.Tests
         [Test]
         public void AFrameWithoutTimeIsNoFrame() => Assert.That(Note(new SubstepMonitor(), new StepClock(0.01, 1), 0.0), Is.Null);
 
-        static int CappedFramesUntilReport(SubstepMonitor monitor, StepClock clock, double deltaTime, out string report)
+        private static int CappedFramesUntilReport(SubstepMonitor monitor, StepClock clock, double deltaTime, out string report)
         {
             for (int frame = 1; frame <= 1000; frame++)
             {
@@ -94,7 +96,7 @@ namespace SphFluid.Tests
             return -1;
         }
 
-        static string Note(SubstepMonitor monitor, StepClock clock, double deltaTime) =>
+        private static string Note(SubstepMonitor monitor, StepClock clock, double deltaTime) =>
             monitor.Update(clock, clock.Advance(deltaTime), deltaTime);
     }
 }

@@ -8,13 +8,14 @@ namespace SphFluid.Tests
     /// <summary>The profile says whether its surface tension acts.</summary>
     public sealed class SurfaceTensionTextTests
     {
-        FluidProfile profile;
-        FluidSimulation tank;
+        private FluidProfile profile;
+        private FluidSimulation tank;
 
         [SetUp]
         public void SetUp()
         {
-            profile = Object.Instantiate(AssetDatabase.LoadAssetAtPath<FluidProfile>("Packages/com.sphfluid/Runtime/Assets/WaterProfile.asset"));
+            profile =
+                Object.Instantiate(AssetDatabase.LoadAssetAtPath<FluidProfile>("Packages/com.sphfluid/Runtime/Assets/WaterProfile.asset"));
             tank = new GameObject("Tank").AddComponent<FluidSimulation>();
             tank.Profile = profile;
         }
@@ -26,7 +27,9 @@ namespace SphFluid.Tests
             Object.DestroyImmediate(profile);
         }
 
-        [TestCase(0.025f, "'Tank': the surface tension of 0.073 N/m does not act at a spacing of 25 mm. It does at 2.7 mm and finer, the liquid's capillary length, or with Tension At Any Spacing.")]
+        [TestCase(0.025f,
+            "'Tank': the surface tension of 0.073 N/m does not act at a spacing of 25 mm. It does at 2.7 mm and finer, the liquid's " +
+            "capillary length, or with Tension At Any Spacing.")]
         [TestCase(0.002f, "'Tank': the surface tension of 0.073 N/m acts, with a contact angle of 30°.")]
         public void CoarseParticlesDoNotResolveIt(float spacing, string text)
         {
@@ -36,15 +39,18 @@ namespace SphFluid.Tests
         [Test]
         public void WithoutGravityItActsWhereItIsAskedFor()
         {
-            Assert.That(SurfaceTensionText.Describe(tank, Constants(0.025f, 0.2f, 0f)), Does.EndWith("It does at 2.7 mm and finer, the liquid's capillary length on Earth, or with Tension At Any Spacing."));
+            Assert.That(SurfaceTensionText.Describe(tank, Constants(0.025f, 0.2f, 0f)),
+                Does.EndWith("It does at 2.7 mm and finer, the liquid's capillary length on Earth, or with Tension At Any Spacing."));
             profile.TensionAtAnySpacing = true;
-            Assert.That(SurfaceTensionText.Describe(tank, Constants(0.025f, 0.2f, 0f)), Is.EqualTo("'Tank': the surface tension of 0.073 N/m acts, with a contact angle of 30°."));
+            Assert.That(SurfaceTensionText.Describe(tank, Constants(0.025f, 0.2f, 0f)),
+                Is.EqualTo("'Tank': the surface tension of 0.073 N/m acts, with a contact angle of 30°."));
         }
 
         [Test]
         public void WhereItSetsTheStepItSaysSo()
         {
-            Assert.That(SurfaceTensionText.Describe(tank, Constants(0.0002f, 0.001f)), Does.Contain("acts, with a contact angle of 30°. It sets the time step of "));
+            Assert.That(SurfaceTensionText.Describe(tank, Constants(0.0002f, 0.001f)),
+                Does.Contain("acts, with a contact angle of 30°. It sets the time step of "));
         }
 
         [Test]
@@ -72,7 +78,7 @@ namespace SphFluid.Tests
             Assert.That(SurfaceTensionText.Describe(tank, Constants(0.002f, 0.2f)), Is.Empty);
         }
 
-        FluidSolverSettings Constants(float spacing, float height, float gravity = 9.81f)
+        private FluidSolverSettings Constants(float spacing, float height, float gravity = 9.81f)
         {
             FluidRuleInput rules = profile.Spec.Rules;
             rules.Method = tank.Method;

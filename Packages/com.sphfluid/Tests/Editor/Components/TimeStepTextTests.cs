@@ -9,7 +9,7 @@ namespace SphFluid.Tests
     /// <summary>What the inspector says about the constants before the start, in each time step mode.</summary>
     public sealed class TimeStepTextTests
     {
-        FluidSimulation simulation;
+        private FluidSimulation simulation;
 
         [SetUp]
         public void SetUp()
@@ -18,7 +18,8 @@ namespace SphFluid.Tests
             simulation.Method = FluidMethodKind.Thesis;
             simulation.ColliderLayers = 0;
             simulation.UseSceneGravity = false;
-            simulation.Profile = Object.Instantiate(AssetDatabase.LoadAssetAtPath<FluidProfile>("Packages/com.sphfluid/Runtime/Assets/WaterProfile.asset"));
+            simulation.Profile =
+                Object.Instantiate(AssetDatabase.LoadAssetAtPath<FluidProfile>("Packages/com.sphfluid/Runtime/Assets/WaterProfile.asset"));
             simulation.Profile.SupportRatio = 2f;
             simulation.Profile.TimeStepFraction = 0.6f;
             var volume = new GameObject("Liquid").AddComponent<FluidVolume>();
@@ -44,7 +45,8 @@ namespace SphFluid.Tests
             Assert.That(Value(text, "Largest stable step"), Is.EqualTo("2.07 ms at 3.84 m/s"));
             Assert.That(Value(text, "Limited by"), Is.EqualTo("speed of sound"));
             Assert.That(Value(text, "Share in use"), Is.EqualTo("72 %"));
-            Assert.That(text.Advice, Does.StartWith("The time step of 1.49 ms is 72 % of the largest stable one, 2.07 ms, which the speed of sound"));
+            Assert.That(text.Advice,
+                Does.StartWith("The time step of 1.49 ms is 72 % of the largest stable one, 2.07 ms, which the speed of sound"));
         }
 
         [Test]
@@ -70,13 +72,13 @@ namespace SphFluid.Tests
             Assert.That(constants, Is.Null);
         }
 
-        TimeStepText Text()
+        private TimeStepText Text()
         {
             FluidSimulationChecks.Preview(simulation, out FluidSolverSettings? constants);
             Assert.That(constants, Is.Not.Null);
             return TimeStepText.Before(simulation, constants.Value);
         }
 
-        static string Value(TimeStepText text, string label) => text.Lines.Single(line => line.Label == label).Value;
+        private static string Value(TimeStepText text, string label) => text.Lines.Single(line => line.Label == label).Value;
     }
 }

@@ -8,10 +8,10 @@ namespace SphFluid.Tests
     /// <summary>The profile says which viscosity acts, and the liquids that the package ships are honest about theirs.</summary>
     public sealed class ViscosityTextTests
     {
-        const string Assets = "Packages/com.sphfluid/Runtime/Assets/";
+        private const string Assets = "Packages/com.sphfluid/Runtime/Assets/";
 
-        FluidProfile profile;
-        GameObject scene;
+        private FluidProfile profile;
+        private GameObject scene;
 
         [SetUp]
         public void SetUp() => profile = Object.Instantiate(AssetDatabase.LoadAssetAtPath<FluidProfile>(Assets + "WaterProfile.asset"));
@@ -23,21 +23,24 @@ namespace SphFluid.Tests
             Object.DestroyImmediate(profile);
         }
 
-        // 5 √(2 · 9.81 m/s² · 1 m) = 22.15 m/s; a thousandth of it by 2.25 · 25 mm is 0.00125 m²/s. A tenth of that would need a tenth of the spacing.
+        // 5 √(2 · 9.81 m/s² · 1 m) = 22.15 m/s; a thousandth of it by 2.25 · 25 mm is 0.00125 m²/s. A tenth of that would need a tenth of
+        // the spacing.
         [Test]
         public void LessThanTheLeastSaysWhatActsAndWhereTheValueWould()
         {
             FluidSimulation tank = Tank(0.025f);
             profile.KinematicViscosity = 1.246e-4f;
             Assert.That(ViscosityText.Describe(tank, Constants(tank)), Is.EqualTo(
-                "'Tank': 0.0012 m²/s acts, the least of its method at a spacing of 25 mm. The 0.00012 m²/s that are set act at 2.5 mm and finer."));
+                "'Tank': 0.0012 m²/s acts, the least of its method at a spacing of 25 mm. The 0.00012 m²/s that are set act at 2.5 mm " +
+                "and finer."));
         }
 
         [Test]
         public void WaterNamesNoSpacingThatNobodyReaches()
         {
             FluidSimulation tank = Tank(0.025f);
-            Assert.That(ViscosityText.Describe(tank, Constants(tank)), Is.EqualTo("'Tank': 0.0012 m²/s acts, the least of its method at a spacing of 25 mm."));
+            Assert.That(ViscosityText.Describe(tank, Constants(tank)),
+                Is.EqualTo("'Tank': 0.0012 m²/s acts, the least of its method at a spacing of 25 mm."));
         }
 
         [Test]
@@ -53,7 +56,8 @@ namespace SphFluid.Tests
         {
             FluidSimulation tank = Tank(0.025f);
             profile.KinematicViscosity = 0.12f;
-            Assert.That(ViscosityText.Describe(tank, Constants(tank)), Does.StartWith("'Tank': 0.12 m²/s acts, as set. It sets the time step of ").And.EndsWith(" ms."));
+            Assert.That(ViscosityText.Describe(tank, Constants(tank)),
+                Does.StartWith("'Tank': 0.12 m²/s acts, as set. It sets the time step of ").And.EndsWith(" ms."));
         }
 
         [TestCase(0.5f, "'Tank': 0.5 m²/s acts, as set. It is solved implicitly, in 8 iterations a step, and does not shorten the step.")]
@@ -68,9 +72,11 @@ namespace SphFluid.Tests
         [Test]
         public void AProfileThatNothingUsesSaysWhereItActs()
         {
-            Assert.That(ViscosityText.Unused(profile), Does.EndWith("the liquid is more viscous than set: 0.0005 m²/s at a spacing of 10 mm."));
+            Assert.That(ViscosityText.Unused(profile),
+                Does.EndWith("the liquid is more viscous than set: 0.0005 m²/s at a spacing of 10 mm."));
             profile.KinematicViscosity = 0.01f;
-            Assert.That(ViscosityText.Unused(profile), Does.EndWith("its viscosity acts as set at a spacing of 20 cm and finer; coarser liquid is more viscous."));
+            Assert.That(ViscosityText.Unused(profile),
+                Does.EndWith("its viscosity acts as set at a spacing of 20 cm and finer; coarser liquid is more viscous."));
             profile.ViscosityRatio = 0f;
             Assert.That(ViscosityText.Unused(profile), Does.EndWith("its viscosity acts as set at any spacing."));
         }
@@ -119,7 +125,7 @@ namespace SphFluid.Tests
             Assert.That(ViscosityText.SpacingThatHonours(liquid, 0.2f), Is.EqualTo(spacing).Within(0.01 * spacing));
         }
 
-        FluidSimulation Tank(float spacing)
+        private FluidSimulation Tank(float spacing)
         {
             scene = new GameObject("Tank");
             var tank = scene.AddComponent<FluidSimulation>();
@@ -128,9 +134,9 @@ namespace SphFluid.Tests
             return tank;
         }
 
-        FluidSolverSettings Constants(FluidSimulation tank) => FluidRules.Derive(Rules(tank));
+        private FluidSolverSettings Constants(FluidSimulation tank) => FluidRules.Derive(Rules(tank));
 
-        FluidRuleInput Rules(FluidSimulation tank)
+        private FluidRuleInput Rules(FluidSimulation tank)
         {
             FluidRuleInput rules = profile.Spec.Rules;
             rules.Spacing = tank.Spacing;

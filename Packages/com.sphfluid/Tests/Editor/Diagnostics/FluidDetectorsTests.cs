@@ -9,13 +9,17 @@ namespace SphFluid.Tests
     /// <summary>Each detector fires on made-up statistics that show its failure, and on no others.</summary>
     public sealed class FluidDetectorsTests
     {
-        const int Sick = 25;
+        private const int Sick = 25;
 
-        static readonly (FluidFailure Failure, string Name, Action<StatisticsSeries> Make)[] Cases =
+        private static readonly (FluidFailure Failure, string Name, Action<StatisticsSeries> Make)[] Cases =
         {
             (FluidFailure.NonFinite, "statistics", s => s.At(Sick, v => { v.NonFinite = 1; return v; })),
             (FluidFailure.NonFinite, "guard", s => s.Count(Sick, new FluidCounters { NonFinite = 3 })),
-            (FluidFailure.EnergyGrowth, "pumped", s => s.At(Sick, v => { v.PotentialEnergy += 1.06 * s.Available(s.Statistics[0]); return v; })),
+            (FluidFailure.EnergyGrowth, "pumped", s => s.At(Sick, v =>
+            {
+                v.PotentialEnergy += 1.06 * s.Available(s.Statistics[0]);
+                return v;
+            })),
             (FluidFailure.Escaped, "outside", s => s.At(Sick, v => { v.Escaped = 9; return v; })),
             (FluidFailure.Escaped, "put back", s => s.Count(Sick, new FluidCounters { DomainClamps = 9 })),
             (FluidFailure.TensileClumping, "suction", s => s.With(x => { x.PressureClamp = false; return x; })
@@ -25,7 +29,12 @@ namespace SphFluid.Tests
             (FluidFailure.CoincidentParticles, "at the start", s => s.At(0, v => { v.Coincident = 2; return v; })),
             (FluidFailure.CoincidentParticles, "merged", s => s.At(Sick, v => { v.Coincident = 401; return v; })),
             (FluidFailure.KernelMismatch, "little viscosity", s => s.With(x => { x.Viscosity *= 0.99f; return x; })),
-            (FluidFailure.KernelMismatch, "boils", s => s.At(Sick, v => { v.Checkerboard = 1.0; v.KineticEnergy = 0.5 * s.Settings.ParticleMass * v.ParticleCount * 0.04; return v; })),
+            (FluidFailure.KernelMismatch, "boils", s => s.At(Sick, v =>
+            {
+                v.Checkerboard = 1.0;
+                v.KineticEnergy = 0.5 * s.Settings.ParticleMass * v.ParticleCount * 0.04;
+                return v;
+            })),
             (FluidFailure.DensityDeficiency, "suction at surfaces", s => s.With(x => { x.PressureClamp = false; return x; })
                 .From(0, v => { v.Clumped = 0; return v; })),
             (FluidFailure.SelfTermMissing, "switched off", s => s.OfThesis((ref ThesisSettings own) => own.SelfDensity = false)),
@@ -36,18 +45,28 @@ namespace SphFluid.Tests
             (FluidFailure.NumericalViscosity, "water", s => s.RealViscosity = 1e-6),
             (FluidFailure.DeepTankLoss, "mean compression", s => s.At(Sick, v => { v.MeanCompression = 0.051; return v; })),
             (FluidFailure.DeepTankLoss, "soft", s => s.With(x => x.WithSoundSpeed(0.3f * x.SoundSpeed))),
-            (FluidFailure.Tunnelling, "fast", s => s.At(Sick, v => { v.MaxSpeed = 0.41 * s.Settings.Spacing / s.Settings.TimeStep; return v; })),
+            (FluidFailure.Tunnelling, "fast", s => s.At(Sick, v =>
+            {
+                v.MaxSpeed = 0.41 * s.Settings.Spacing / s.Settings.TimeStep;
+                return v;
+            })),
             (FluidFailure.WallStacking, "touching", s => s.At(Sick, v => { v.AtWalls = 81; return v; })),
             (FluidFailure.WallStacking, "crowded", s => s.At(Sick, v => { v.WallCrowding = 2.3; return v; })),
             (FluidFailure.ClampActs, "guard", s => s.Count(Sick, new FluidCounters { AccelerationLimitHits = 1 })),
             (FluidFailure.Overflow, "neighbours", s => s.At(Sick, v => { v.MaxNeighbours = 101; return v; })),
             (FluidFailure.OverlappingStart, "compressed", s => s.At(0, v => { v.MaxDensityRatio = 1.11; return v; })),
-            (FluidFailure.OverlappingStart, "bursts", s => s.Step(0.4f).At(1, v => { v.Step = 10; v.Time /= 5; v.MaxSpeed = 2.01 * s.Settings.MaxSpeed; return v; })),
+            (FluidFailure.OverlappingStart, "bursts", s => s.Step(0.4f).At(1, v =>
+            {
+                v.Step = 10;
+                v.Time /= 5;
+                v.MaxSpeed = 2.01 * s.Settings.MaxSpeed;
+                return v;
+            })),
             (FluidFailure.StaleGrid, "misplaced", s => s.At(Sick, v => { v.Misplaced = 1; return v; })),
             (FluidFailure.StaleGrid, "listed twice", s => s.At(Sick, v => { v.Listed++; return v; })),
         };
 
-        static IEnumerable<TestCaseData> CaseData => Cases.Select((c, i) => new TestCaseData(i).SetName($"{c.Failure}: {c.Name}"));
+        private static IEnumerable<TestCaseData> CaseData => Cases.Select((c, i) => new TestCaseData(i).SetName($"{c.Failure}: {c.Name}"));
 
         [TestCaseSource(nameof(CaseData))]
         public void FailureIsNamedAndNoOther(int index)
@@ -60,8 +79,11 @@ namespace SphFluid.Tests
             {
                 Assert.That(finding.Text, Does.EndWith(".").And.Match("[0-9]"), "a sentence with a figure");
                 Assert.That(finding.Cure, Does.EndWith("."));
-                if (finding.Failure != FluidFailure.KernelMismatch && finding.Failure != FluidFailure.SelfTermMissing && finding.Failure != FluidFailure.DensityDeficiency)
+                if (finding.Failure != FluidFailure.KernelMismatch && finding.Failure != FluidFailure.SelfTermMissing &&
+                    finding.Failure != FluidFailure.DensityDeficiency)
+                {
                     Assert.That(finding.Value, Is.GreaterThan(finding.Limit));
+                }
             }
         }
 
@@ -74,9 +96,15 @@ namespace SphFluid.Tests
                 make(series);
                 foreach (FluidFinding finding in series.Run().SelectMany(found => found))
                 {
-                    Assert.That(failure, Is.Not.EqualTo(FluidFailure.Pairing).And.Not.EqualTo(FluidFailure.KernelMismatch), "Wendland's kernel does not pair, and there is one");
-                    bool ofSwitch = finding.Failure == FluidFailure.TensileClumping || finding.Failure == FluidFailure.SelfTermMissing || finding.Failure == FluidFailure.DensityDeficiency || finding.Failure == FluidFailure.ClampActs;
-                    if (!ofSwitch) Assert.That(finding.Cure, Does.Not.Contain("Wall Stiffness").And.Not.Contain("Wall Distance").And.Not.Contain("Thesis"), name);
+                    Assert.That(failure, Is.Not.EqualTo(FluidFailure.Pairing).And.Not.EqualTo(FluidFailure.KernelMismatch),
+                        "Wendland's kernel does not pair, and there is one");
+                    bool ofSwitch = finding.Failure == FluidFailure.TensileClumping || finding.Failure == FluidFailure.SelfTermMissing ||
+                        finding.Failure == FluidFailure.DensityDeficiency || finding.Failure == FluidFailure.ClampActs;
+                    if (!ofSwitch)
+                    {
+                        Assert.That(finding.Cure,
+                            Does.Not.Contain("Wall Stiffness").And.Not.Contain("Wall Distance").And.Not.Contain("Thesis"), name);
+                    }
                 }
             }
         }
@@ -86,7 +114,8 @@ namespace SphFluid.Tests
         [TestCase(0.75f, true)]
         public void TheStandardMethodHasItsOwnBorder(float factor, bool named)
         {
-            IEnumerable<FluidFailure> found = StatisticsSeries.Healthy().OfStandard().Step(factor).Run().SelectMany(f => f).Select(f => f.Failure);
+            IEnumerable<FluidFailure> found = StatisticsSeries.Healthy().OfStandard().Step(factor).Run().SelectMany(f => f)
+                .Select(f => f.Failure);
             Assert.That(found.Contains(FluidFailure.TimeStepTooLong), Is.EqualTo(named));
         }
 
@@ -121,7 +150,8 @@ namespace SphFluid.Tests
         {
             StatisticsSeries series = StatisticsSeries.Healthy().Step(0.9f);
             series.At(Sick, v => { v.PotentialEnergy += 1.06 * series.Available(series.Statistics[0]); return v; });
-            Assert.That(series.Run()[Sick].Select(f => f.Failure), Is.EquivalentTo(new[] { FluidFailure.EnergyGrowth, FluidFailure.TimeStepTooLong }));
+            Assert.That(series.Run()[Sick].Select(f => f.Failure),
+                Is.EquivalentTo(new[] { FluidFailure.EnergyGrowth, FluidFailure.TimeStepTooLong }));
         }
 
         [TestCase(1.04, false)]
@@ -147,11 +177,20 @@ namespace SphFluid.Tests
             }
             Assert.That(Pumped().Run()[Sick].Select(f => f.Failure), Is.EqualTo(new[] { FluidFailure.EnergyGrowth }));
 
-            StatisticsSeries belt = Pumped().With(x => { x.Boundaries.NoSlip = true; x.Boundaries.LowY = new Vector3(1f, 0f, 0f); return x; });
+            StatisticsSeries belt = Pumped().With(x =>
+            {
+                x.Boundaries.NoSlip = true; x.Boundaries.LowY =
+                new Vector3(1f, 0f, 0f); return x;
+            });
             Assert.That(belt.Run().SelectMany(f => f), Is.Empty, "a moving wall does work");
 
-            StatisticsSeries channel = Pumped().With(x => { x.Boundaries.Periodic = FluidAxes.X; x.Gravity = new Vector3(1f, -9.81f, 0f); return x; });
-            Assert.That(channel.Run().SelectMany(f => f).Where(f => f.Failure == FluidFailure.EnergyGrowth), Is.Empty, "gravity around a periodic axis does work");
+            StatisticsSeries channel = Pumped().With(x =>
+            {
+                x.Boundaries.Periodic = FluidAxes.X; x.Gravity =
+                new Vector3(1f, -9.81f, 0f); return x;
+            });
+            Assert.That(channel.Run().SelectMany(f => f).Where(f => f.Failure == FluidFailure.EnergyGrowth), Is.Empty,
+                "gravity around a periodic axis does work");
 
             StatisticsSeries lifted = Pumped();
             FluidDetectors detectors = lifted.Detectors();
@@ -180,7 +219,8 @@ namespace SphFluid.Tests
             System.Globalization.CultureInfo before = System.Globalization.CultureInfo.CurrentCulture;
             try
             {
-                System.Globalization.CultureInfo.CurrentCulture = new System.Globalization.CultureInfo("") { NumberFormat = { NumberDecimalSeparator = "@" } };
+                System.Globalization.CultureInfo.CurrentCulture =
+                    new System.Globalization.CultureInfo("") { NumberFormat = { NumberDecimalSeparator = "@" } };
                 foreach (var entry in Cases)
                 {
                     StatisticsSeries series = StatisticsSeries.Healthy();
@@ -196,7 +236,7 @@ namespace SphFluid.Tests
     }
 
     /// <summary>Words of the cases.</summary>
-    static class StatisticsSeriesWords
+    internal static class StatisticsSeriesWords
     {
         /// <summary>Energy over that of liquid in the lowest layer of the domain of 1 m [J].</summary>
         public static double Available(this StatisticsSeries series, FluidStatistics statistics) =>
@@ -207,7 +247,7 @@ namespace SphFluid.Tests
             series.Settings.Method == FluidMethodKind.Standard ? series : series.With(x => x.WithOwn(change));
 
         // √k: the thesis's stiffness is twice c², Standard's is c².
-        static float RootOfStiffness(in FluidSolverSettings settings) =>
+        private static float RootOfStiffness(in FluidSolverSettings settings) =>
             settings.Method == FluidMethodKind.Standard ? settings.SoundSpeed : Mathf.Sqrt(settings.Own<ThesisSettings>().Stiffness);
 
         /// <summary>The time step as a part of 1.35 R/√k.</summary>

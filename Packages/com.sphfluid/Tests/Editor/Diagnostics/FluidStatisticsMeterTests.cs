@@ -9,11 +9,11 @@ namespace SphFluid.Tests
     /// <summary>Measurements over time and how they arrive; their figures: MeasureStatisticsTests.</summary>
     public sealed class FluidStatisticsMeterTests
     {
-        static readonly Vector3 Domain = new Vector3(0.62f, 0.5f, 0.54f);
+        private static readonly Vector3 Domain = new Vector3(0.62f, 0.5f, 0.54f);
 
-        readonly FluidSolverSettings settings = TestSettings.ByRule(Domain, 0.04f);
+        private readonly FluidSolverSettings settings = TestSettings.ByRule(Domain, 0.04f);
 
-        FluidShaderSet shaders;
+        private FluidShaderSet shaders;
 
         [SetUp]
         public void SetUp() => shaders = TestShaders.CreateSet();

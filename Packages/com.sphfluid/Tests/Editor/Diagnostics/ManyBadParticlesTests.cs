@@ -6,7 +6,7 @@ namespace SphFluid.Tests
     /// <summary>Counts of the GPU's statistics stay exact when many particles count.</summary>
     public sealed class ManyBadParticlesTests
     {
-        const float Spacing = 0.04f;
+        private const float Spacing = 0.04f;
 
         [Test]
         public void EveryBadParticleCountsOnce()
@@ -19,10 +19,11 @@ namespace SphFluid.Tests
             using (var solver = new FluidSolver(settings, shaders, particles))
             using (var meter = new FluidStatisticsMeter(shaders, solver))
             {
-                for (int i = 0; i < notFinite; i++)
-                    particles[i].Position.y = i % 2 == 0 ? float.NaN : float.NegativeInfinity;
+                for (int i = 0; i < notFinite; i++) particles[i].Position.y = i % 2 == 0 ? float.NaN : float.NegativeInfinity;
                 for (int i = notFinite; i < notFinite + outside; i++)
+                {
                     particles[i].Position = new Vector3(0f, 0f, (i % 2 == 0 ? -1f : 1f) * (0.5f * domain.z + Spacing));
+                }
                 solver.Particles.SetData(particles);
                 FluidStatistics found = meter.MeasureNow();
                 Assert.That(found.NonFinite, Is.EqualTo(notFinite));

@@ -8,10 +8,10 @@ namespace SphFluid.Tests
     /// <summary>MeasureStatistics, its records added up, against brute force in double precision.</summary>
     public sealed class MeasureStatisticsTests
     {
-        const float Spacing = 0.04f;
-        static readonly Vector3 Domain = new Vector3(0.62f, 0.5f, 0.54f);
+        private const float Spacing = 0.04f;
+        private static readonly Vector3 Domain = new Vector3(0.62f, 0.5f, 0.54f);
 
-        FluidShaderSet shaders;
+        private FluidShaderSet shaders;
 
         [SetUp]
         public void SetUp() => shaders = TestShaders.CreateSet();
@@ -149,15 +149,15 @@ namespace SphFluid.Tests
             }
         }
 
-        static readonly Vector4 Canary = new Vector4(-1f, -2f, -3f, -4f);
+        private static readonly Vector4 Canary = new Vector4(-1f, -2f, -3f, -4f);
 
-        FluidStatistics Measure(FluidSolver solver)
+        private FluidStatistics Measure(FluidSolver solver)
         {
             Vector4[] records = Records(solver, 0);
             return FluidStatisticsRecord.Sum(records, records.Length / FluidStatisticsRecord.Size, new FluidMoment(solver, false));
         }
 
-        Vector4[] Records(FluidSolver solver, int behind)
+        private Vector4[] Records(FluidSolver solver, int behind)
         {
             var pass = new MeasureStatisticsPass(shaders);
             int length = pass.Groups(solver.ParticleCount) * FluidStatisticsRecord.Size + behind;
@@ -173,7 +173,7 @@ namespace SphFluid.Tests
             }
         }
 
-        FluidStatistics Check(in FluidSolverSettings settings, FluidParticle[] particles)
+        private FluidStatistics Check(in FluidSolverSettings settings, FluidParticle[] particles)
         {
             using (var solver = new FluidSolver(settings, shaders, Inside(particles)))
             {
@@ -184,13 +184,16 @@ namespace SphFluid.Tests
                 var ranges = new uint[2 * solver.Grid.CellCount];
                 solver.GridIndices.GetData(ranges);
                 int fullest = 0;
-                for (int cell = 0; cell < solver.Grid.CellCount; cell++) fullest = Math.Max(fullest, (int)(ranges[2 * cell + 1] - ranges[2 * cell]));
+                for (int cell = 0; cell < solver.Grid.CellCount; cell++)
+                {
+                    fullest = Math.Max(fullest, (int)(ranges[2 * cell + 1] - ranges[2 * cell]));
+                }
                 Assert.That(found.MaxCellCount, Is.EqualTo(fullest).And.Positive);
                 return found;
             }
         }
 
-        static void AssertEqual(FluidStatistics expected, FluidStatistics found, FluidSolverSettings settings)
+        private static void AssertEqual(FluidStatistics expected, FluidStatistics found, FluidSolverSettings settings)
         {
             double counted = Math.Max(1, expected.ParticleCount - expected.NonFinite), energy = settings.ParticleMass * counted;
             Assert.That(found.ParticleCount, Is.EqualTo(expected.ParticleCount));
@@ -205,8 +208,11 @@ namespace SphFluid.Tests
             Assert.That(found.WallCrowding, Is.EqualTo(expected.WallCrowding).Within(1e-5), "wall crowding");
             Assert.That(found.KineticEnergy, Is.EqualTo(expected.KineticEnergy).Within(1e-5).Percent, "kinetic");
             Assert.That(found.PotentialEnergy, Is.EqualTo(expected.PotentialEnergy).Within(1e-6 * 9.81 * energy), "potential");
-            Assert.That(found.ElasticEnergy, Is.EqualTo(expected.ElasticEnergy).Within(0.01).Percent.Or.EqualTo(expected.ElasticEnergy).Within(1e-8 * energy), "elastic");
-            Assert.That((found.Momentum - expected.Momentum).magnitude, Is.LessThan(1e-6 * Math.Max(1e-9, expected.MomentumScale)), "momentum");
+            Assert.That(found.ElasticEnergy,
+                Is.EqualTo(expected.ElasticEnergy).Within(0.01).Percent.Or.EqualTo(expected.ElasticEnergy).Within(1e-8 * energy),
+                "elastic");
+            Assert.That((found.Momentum - expected.Momentum).magnitude, Is.LessThan(1e-6 * Math.Max(1e-9, expected.MomentumScale)),
+                "momentum");
             Assert.That(found.MomentumScale, Is.EqualTo(expected.MomentumScale).Within(1e-4).Percent, "momentum scale");
             Assert.That(found.MaxSpeed, Is.EqualTo(expected.MaxSpeed).Within(1e-4).Percent, "speed");
             Assert.That(found.MeanCompression, Is.EqualTo(expected.MeanCompression).Within(2e-5), "compression");
@@ -215,7 +221,7 @@ namespace SphFluid.Tests
             Assert.That(found.Checkerboard, Is.EqualTo(expected.Checkerboard).Within(2e-5), "checkerboard");
         }
 
-        static FluidSolverSettings Settings(bool octant, bool clamp)
+        private static FluidSolverSettings Settings(bool octant, bool clamp)
         {
             FluidSolverSettings settings = TestSettings.ByRule(Domain, Spacing);
             settings.OctantSearch = octant;
@@ -224,7 +230,7 @@ namespace SphFluid.Tests
         }
 
         // The lowest particles of a jittered lattice that fills the domain's lower half, with velocities.
-        static FluidParticle[] Blob(int count)
+        private static FluidParticle[] Blob(int count)
         {
             FluidParticle[] lattice = ParticleSets.Lattice(new Vector3Int(15, 6, 13), 0.97f * Spacing, 0.1f * Spacing, 5);
             var random = new System.Random(count);
@@ -237,12 +243,15 @@ namespace SphFluid.Tests
             return particles;
         }
 
-        static FluidParticle[] Inside(FluidParticle[] particles)
+        private static FluidParticle[] Inside(FluidParticle[] particles)
         {
             var inside = new FluidParticle[particles.Length];
             for (int i = 0; i < inside.Length; i++) inside[i] = new FluidParticle(Vector3.zero, Vector3.zero, (uint)i);
             for (int i = 0; i < inside.Length; i++)
-                if (Mathf.Abs(particles[i].Position.x) < 0.5f * Domain.x && Mathf.Abs(particles[i].Position.y) < 0.5f * Domain.y) inside[i] = particles[i];
+                if (Mathf.Abs(particles[i].Position.x) < 0.5f * Domain.x && Mathf.Abs(particles[i].Position.y) < 0.5f * Domain.y)
+                {
+                    inside[i] = particles[i];
+                }
             return inside;
         }
     }

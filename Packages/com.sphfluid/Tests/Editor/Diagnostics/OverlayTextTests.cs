@@ -8,9 +8,10 @@ namespace SphFluid.Tests
     /// <summary>What the overlay writes, and where it stands.</summary>
     public sealed class OverlayTextTests
     {
-        static readonly LiquidFigures Tank = new LiquidFigures
+        private static readonly LiquidFigures Tank = new LiquidFigures
         {
-            Name = "Tank", State = "running", Runs = true, Particles = 16380, Slots = 16384, StepsPerFrame = 11.25, MostSteps = 64, TimeStep = 1.02e-3,
+            Name = "Tank", State = "running", Runs = true, Particles = 16380, Slots = 16384, StepsPerFrame = 11.25, MostSteps = 64,
+            TimeStep = 1.02e-3,
             RealTimeFactor = 1.0, Limit = TimeStepLimit.Acoustic, Bytes = 34 * 1048576 - 5,
         };
 
@@ -60,7 +61,8 @@ namespace SphFluid.Tests
         [Test]
         public void ALongMessageTakesSeveralLines()
         {
-            var stopped = new LiquidFigures { Name = "Tank", State = "stopped", Message = string.Join(" ", Enumerable.Repeat("twelve-signs", 12)) };
+            var stopped =
+                new LiquidFigures { Name = "Tank", State = "stopped", Message = string.Join(" ", Enumerable.Repeat("twelve-signs", 12)) };
             string[] lines = Lines(stopped).Skip(2).ToArray();
             string five = string.Join(" ", Enumerable.Repeat("twelve-signs", 5));
             Assert.That(lines, Is.EqualTo(new[] { "  ! " + five, "    " + five, "    twelve-signs twelve-signs" }), "64 signs a line");
@@ -73,13 +75,15 @@ namespace SphFluid.Tests
         public void ReleaseBuildsHaveNoStageTimesAndSaySo()
         {
             using (var times = new StageTimes(FluidStage.All, StageClock.None))
-                Assert.That(Write(times).Split('\n').Last(), Is.EqualTo("no stage times: Unity measures them in the Editor and in development builds"));
+                Assert.That(Write(times).Split('\n').Last(),
+                    Is.EqualTo("no stage times: Unity measures them in the Editor and in development builds"));
         }
 
         [Test]
         public void TheClockOfTheStagesIsNamed()
         {
-            using (var gpu = new StageTimes(FluidStage.All, StageClock.Gpu)) Assert.That(Write(gpu).Split('\n').Last(), Is.EqualTo("GPU, ms a frame: none yet"));
+            using (var gpu = new StageTimes(FluidStage.All, StageClock.Gpu)) Assert.That(Write(gpu).Split('\n').Last(),
+                Is.EqualTo("GPU, ms a frame: none yet"));
             using (var cpu = new StageTimes(FluidStage.All, StageClock.Cpu))
                 Assert.That(Write(cpu).Split('\n').Last(), Is.EqualTo("CPU, ms a frame to submit: no GPU times here: none yet"));
         }
@@ -105,8 +109,9 @@ namespace SphFluid.Tests
         public void ItStandsInItsCorner(FluidOverlayCorner corner, float x, float y) =>
             Assert.That(FluidOverlay.Place(corner, new Vector2(100f, 50f), new Vector2(800f, 600f)), Is.EqualTo(new Rect(x, y, 100f, 50f)));
 
-        static string[] Lines(params LiquidFigures[] liquids) => new OverlayText().Write(liquids, null, FluidStage.All, 1.0 / 60.0).Split('\n');
+        private static string[] Lines(params LiquidFigures[] liquids) =>
+            new OverlayText().Write(liquids, null, FluidStage.All, 1.0 / 60.0).Split('\n');
 
-        static string Write(StageTimes times) => new OverlayText().Write(Array.Empty<LiquidFigures>(), times, FluidStage.All, 0.01);
+        private static string Write(StageTimes times) => new OverlayText().Write(Array.Empty<LiquidFigures>(), times, FluidStage.All, 0.01);
     }
 }

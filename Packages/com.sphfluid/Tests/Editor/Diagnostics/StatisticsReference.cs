@@ -4,7 +4,7 @@ using System.Collections.Generic;
 namespace SphFluid.Tests
 {
     /// <summary>The statistics by their definitions, by brute force over all pairs in double precision.</summary>
-    static class StatisticsReference
+    internal static class StatisticsReference
     {
         public static FluidStatistics Measure(IReadOnlyList<FluidParticle> all, FluidSolverSettings settings, double halfStep = 0.0)
         {
@@ -56,14 +56,14 @@ namespace SphFluid.Tests
             return statistics;
         }
 
-        struct Pairs
+        private struct Pairs
         {
             public double Nearest;
             public int Count, InWallLayer;
             public Double3 MeanVelocity;
         }
 
-        static Pairs Around(List<FluidParticle> all, int i, in FluidSolverSettings settings)
+        private static Pairs Around(List<FluidParticle> all, int i, in FluidSolverSettings settings)
         {
             double radius = settings.SupportRadius, weights = 0.0;
             Double3 velocity = Double3.Zero;
@@ -84,19 +84,21 @@ namespace SphFluid.Tests
         }
 
         // A particle that has a place has mass there, whatever its velocity is.
-        static double Density(IReadOnlyList<FluidParticle> all, in FluidParticle at, in FluidSolverSettings settings)
+        private static double Density(IReadOnlyList<FluidParticle> all, in FluidParticle at, in FluidSolverSettings settings)
         {
             double density = 0.0;
             foreach (FluidParticle other in all)
             {
                 double r = NearestImage((Double3)at.Position - other.Position, settings).Length;
                 if (Finite(other.Position) && (other.Id != at.Id || !FluidMethods.Get(settings.Method).OmitsOwnDensity(settings)))
+                {
                     density += settings.ParticleMass * ThesisReference.Poly6(r, settings.SupportRadius);
+                }
             }
             return density;
         }
 
-        static double Potential(Double3 x, in FluidSolverSettings s)
+        private static double Potential(Double3 x, in FluidSolverSettings s)
         {
             double energy = 0.0;
             for (int axis = 0; axis < 3; axis++)
@@ -109,7 +111,7 @@ namespace SphFluid.Tests
         }
 
         // ∫ p/ρ² dρ from the rest density by Simpson's rule.
-        static double Elastic(double density, in FluidSolverSettings s)
+        private static double Elastic(double density, in FluidSolverSettings s)
         {
             if (!(density > 0.0) || (s.PressureClamp && density <= s.RestDensity)) return 0.0;
             const int steps = 2000;
@@ -123,7 +125,7 @@ namespace SphFluid.Tests
             return sum * h / 3.0;
         }
 
-        static Double3 NearestImage(Double3 d, in FluidSolverSettings s)
+        private static Double3 NearestImage(Double3 d, in FluidSolverSettings s)
         {
             var part = new double[3];
             for (int axis = 0; axis < 3; axis++)
@@ -136,7 +138,7 @@ namespace SphFluid.Tests
             return new Double3(part[0], part[1], part[2]);
         }
 
-        static double ToWall(Double3 x, in FluidSolverSettings s)
+        private static double ToWall(Double3 x, in FluidSolverSettings s)
         {
             double nearest = double.PositiveInfinity;
             for (int axis = 0; axis < 3; axis++)
@@ -144,17 +146,17 @@ namespace SphFluid.Tests
             return nearest;
         }
 
-        static double Beyond(Double3 x, in FluidSolverSettings s)
+        private static double Beyond(Double3 x, in FluidSolverSettings s)
         {
             double most = double.NegativeInfinity;
             for (int axis = 0; axis < 3; axis++) most = Math.Max(most, Math.Abs(Part(x, axis)) - 0.5 * s.DomainSize[axis]);
             return most;
         }
 
-        static bool IsPeriodic(in FluidSolverSettings s, int axis) => ((int)s.Boundaries.Periodic >> axis & 1) != 0;
+        private static bool IsPeriodic(in FluidSolverSettings s, int axis) => ((int)s.Boundaries.Periodic >> axis & 1) != 0;
 
-        static double Part(Double3 v, int axis) => axis == 0 ? v.X : axis == 1 ? v.Y : v.Z;
+        private static double Part(Double3 v, int axis) => axis == 0 ? v.X : axis == 1 ? v.Y : v.Z;
 
-        static bool Finite(Double3 v) => !double.IsNaN(v.X + v.Y + v.Z) && !double.IsInfinity(v.X + v.Y + v.Z);
+        private static bool Finite(Double3 v) => !double.IsNaN(v.X + v.Y + v.Z) && !double.IsInfinity(v.X + v.Y + v.Z);
     }
 }

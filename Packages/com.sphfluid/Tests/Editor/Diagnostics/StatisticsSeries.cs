@@ -5,9 +5,9 @@ using UnityEngine;
 namespace SphFluid.Tests
 {
     /// <summary>Made-up statistics over time: a metre of water that falls, splashes and settles, and what can be done to it.</summary>
-    sealed class StatisticsSeries
+    internal sealed class StatisticsSeries
     {
-        const int Particles = 8000;
+        private const int Particles = 8000;
 
         public FluidSolverSettings Settings = TestSettings.ByRule(new Vector3(1f, 1f, 1f), 0.04f);
         public double RealViscosity = double.NaN;

@@ -5,9 +5,9 @@ namespace SphFluid.Tests
     /// <summary>Costs of steps: kept by size, read between and beyond the sizes, never made up.</summary>
     public sealed class StepCostTableTests
     {
-        static readonly StepCostKey Key = StepCostKey.Create(FluidMethodKind.Standard, 2.25, false);
+        private static readonly StepCostKey Key = StepCostKey.Create(FluidMethodKind.Standard, 2.25, false);
 
-        StepCostTable table;
+        private StepCostTable table;
 
         [SetUp]
         public void SetUp() => table = new StepCostTable();
@@ -19,7 +19,8 @@ namespace SphFluid.Tests
             Note(1000, 1.0);
             Assert.That(table.TryFind(Key, 0, out _), Is.False);
             Assert.That(table.TryFind(StepCostKey.Create(FluidMethodKind.Thesis, 2.25, false), 1000, out _), Is.False, "another method");
-            Assert.That(table.TryFind(StepCostKey.Create(FluidMethodKind.Standard, 2.0, false), 1000, out _), Is.False, "another support radius");
+            Assert.That(table.TryFind(StepCostKey.Create(FluidMethodKind.Standard, 2.0, false), 1000, out _), Is.False,
+                "another support radius");
             Assert.That(table.TryFind(StepCostKey.Create(FluidMethodKind.Standard, 2.25, true), 1000, out _), Is.False, "bodies");
         }
 
@@ -101,7 +102,8 @@ namespace SphFluid.Tests
             Note(100000, 1.0 / 3.0, false);
             StepCostTable read = StepCostTable.Parse(table.ToText());
             Assert.That(read.ToText(), Is.EqualTo(table.ToText()));
-            Assert.That(read.TryFind(Key, 100000, out StepCost cost) && System.Math.Abs(cost.Milliseconds - 1.0 / 3.0) < 1e-12 && !cost.InPlay);
+            Assert.That(read.TryFind(Key, 100000, out StepCost cost) && System.Math.Abs(cost.Milliseconds - 1.0 / 3.0) < 1e-12 &&
+                !cost.InPlay);
         }
 
         [Test]
@@ -112,11 +114,11 @@ namespace SphFluid.Tests
             Assert.That(table.TryFind(Key, 1000, out _), Is.False);
         }
 
-        bool Note(long particles, double milliseconds, bool inPlay = true) =>
+        private bool Note(long particles, double milliseconds, bool inPlay = true) =>
             table.Record(Key, new StepCost { Particles = particles, Milliseconds = milliseconds, InPlay = inPlay });
 
-        double Found(long particles) => table.TryFind(Key, particles, out StepCost cost) ? cost.Milliseconds : double.NaN;
+        private double Found(long particles) => table.TryFind(Key, particles, out StepCost cost) ? cost.Milliseconds : double.NaN;
 
-        long Nearest(long particles) => table.TryFind(Key, particles, out StepCost cost) ? cost.Particles : 0;
+        private long Nearest(long particles) => table.TryFind(Key, particles, out StepCost cost) ? cost.Particles : 0;
     }
 }

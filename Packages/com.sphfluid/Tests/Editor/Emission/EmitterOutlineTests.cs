@@ -9,9 +9,9 @@ namespace SphFluid.Tests
     /// <summary>Nozzles of the shape of a mesh: where their layers begin, and that they are one lattice that moves.</summary>
     public sealed class EmitterOutlineTests
     {
-        const float Spacing = 0.02f;
+        private const float Spacing = 0.02f;
 
-        readonly List<Object> made = new List<Object>();
+        private readonly List<Object> made = new List<Object>();
 
         [TearDown]
         public void TearDown()
@@ -20,14 +20,14 @@ namespace SphFluid.Tests
             made.Clear();
         }
 
-        Mesh Made(TriangleMesh triangles)
+        private Mesh Made(TriangleMesh triangles)
         {
             var mesh = new Mesh { name = "nozzle", vertices = triangles.Vertices, triangles = triangles.Indices };
             made.Add(mesh);
             return mesh;
         }
 
-        EmitterSpec Nozzle(Mesh mesh, Vector3? scale = null)
+        private EmitterSpec Nozzle(Mesh mesh, Vector3? scale = null)
         {
             var owner = new GameObject("Tap") { hideFlags = HideFlags.HideAndDontSave };
             made.Add(owner);
@@ -44,11 +44,15 @@ namespace SphFluid.Tests
         }
 
         // A flat frame: a square with a square hole.
-        static TriangleMesh Frame(float outer, float inner)
+        private static TriangleMesh Frame(float outer, float inner)
         {
             var corners = new List<Vector3>();
             foreach (float half in new[] { outer, inner })
-                corners.AddRange(new[] { new Vector3(-half, -half), new Vector3(half, -half), new Vector3(half, half), new Vector3(-half, half) });
+            {
+                corners
+                    .AddRange(new[] { new Vector3(-half, -half), new Vector3(half, -half), new Vector3(half, half),
+                        new Vector3(-half, half) });
+            }
             var indices = new List<int>();
             for (int i = 0; i < 4; i++) indices.AddRange(new[] { i, (i + 1) % 4, 4 + (i + 1) % 4, i, 4 + (i + 1) % 4, 4 + i });
             return new TriangleMesh(corners.ToArray(), indices.ToArray());
@@ -63,7 +67,8 @@ namespace SphFluid.Tests
             EmitterSites sites = EmitterSites.For(nozzle, Spacing);
             Assert.That(sites.Places.Length, Is.EqualTo(outer * outer - inner * inner));
             Assert.That(sites.LayerDistance, Is.EqualTo(Spacing).Within(1e-7));
-            Assert.That(sites.Places.Max(p => Mathf.Max(Mathf.Abs(p.x), Mathf.Abs(p.y))), Is.EqualTo(0.5f * (outer - 1) * Spacing).Within(1e-6f), "centres of the squares");
+            Assert.That(sites.Places.Max(p => Mathf.Max(Mathf.Abs(p.x), Mathf.Abs(p.y))),
+                Is.EqualTo(0.5f * (outer - 1) * Spacing).Within(1e-6f), "centres of the squares");
             Assert.That(sites.Places.All(p => p.z == 0f));
             Assert.That(nozzle.Area(Spacing), Is.EqualTo(sites.Places.Length * Spacing * Spacing).Within(1e-8));
         }
@@ -71,7 +76,8 @@ namespace SphFluid.Tests
         [Test]
         public void OfARoundMeshItIsTheFrontThatGives()
         {
-            EmitterSpec nozzle = Nozzle(Made(PrimitiveTessellator.Capsule(Matrix4x4.identity, 0.5f, 0f, 0.005f)), new Vector3(0.3f, 0.2f, 0.4f));
+            EmitterSpec nozzle =
+                Nozzle(Made(PrimitiveTessellator.Capsule(Matrix4x4.identity, 0.5f, 0f, 0.005f)), new Vector3(0.3f, 0.2f, 0.4f));
             Vector3[] places = EmitterSites.For(nozzle, Spacing).Places;
             Assert.That(places.Length, Is.EqualTo(Mathf.PI * 0.15f * 0.1f / (Spacing * Spacing)).Within(6).Percent);
             foreach (Vector3 place in places)
@@ -83,7 +89,8 @@ namespace SphFluid.Tests
             }
         }
 
-        // Whatever the mesh, its layers are one lattice: no two particles are nearer than a spacing, and behind the front no place is empty.
+        // Whatever the mesh, its layers are one lattice: no two particles are nearer than a spacing, and behind the front no place is
+        // empty.
         [Test]
         public void LayersOfACurvedFrontAreOneLattice()
         {
@@ -92,14 +99,18 @@ namespace SphFluid.Tests
             var births = new BirthQueue(0u);
             int layer = EmitterSites.For(nozzle, Spacing).Places.Length;
             double time = 5.5 * Spacing / 1.3;
-            run.Emit(nozzle, new FluidSpec { Spacing = Spacing, Rotation = Quaternion.identity }, 0.0, time, births, new ParticleLifetimes());
+            run.Emit(nozzle, new FluidSpec { Spacing = Spacing, Rotation = Quaternion.identity }, 0.0, time, births,
+                new ParticleLifetimes());
             births.CollectDue(time, 0f, Vector3.zero);
             Vector3[] born = births.Due.Take(6 * layer).Select(b => b.Position).ToArray();
             Assert.That(born.Length, Is.EqualTo(6 * layer));
             for (int i = 0; i < born.Length; i++)
                 for (int k = 0; k < i; k++) Assert.That((born[i] - born[k]).sqrMagnitude, Is.GreaterThan(0.998f * Spacing * Spacing));
-            foreach (IGrouping<(int, int), Vector3> column in born.GroupBy(p => (Mathf.RoundToInt(2f * p.x / Spacing), Mathf.RoundToInt(2f * p.y / Spacing))))
+            foreach (IGrouping<(int,
+                int), Vector3> column in born.GroupBy(p => (Mathf.RoundToInt(2f * p.x / Spacing), Mathf.RoundToInt(2f * p.y / Spacing))))
+            {
                 Assert.That(column.Max(p => p.z) - column.Min(p => p.z), Is.EqualTo(5f * Spacing).Within(1e-4f));
+            }
         }
 
         [Test]
@@ -123,7 +134,8 @@ namespace SphFluid.Tests
             string Said(EmitterSpec nozzle) => EmitterChecks.Check(nozzle, liquid)?.ToString();
             Assert.That(Said(Nozzle(Made(Frame(0.05f, 0f)))), Is.Null);
             Assert.That(Said(Nozzle(null)), Does.Contain("'Tap'").And.Contain("Assign a mesh"));
-            Assert.That(Said(Nozzle(Made(Frame(0.05f, 0f)), new Vector3(1f, 0f, 1f))), Does.Contain("no place for a particle"), "seen edge on");
+            Assert.That(Said(Nozzle(Made(Frame(0.05f, 0f)), new Vector3(1f, 0f, 1f))), Does.Contain("no place for a particle"),
+                "seen edge on");
             Assert.That(Said(Nozzle(Made(Frame(1e6f, 0f)))), Does.Contain("for too many"));
             EmitterSpec pump = Nozzle(Made(Frame(0.05f, 0f)));
             pump.UnderWater = true;

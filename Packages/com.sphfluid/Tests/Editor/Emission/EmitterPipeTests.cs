@@ -6,9 +6,9 @@ namespace SphFluid.Tests
     /// <summary>The wall of a pipe: closed, with room for what is born in it.</summary>
     public sealed class EmitterPipeTests
     {
-        const float Spacing = 0.02f, Reach = 0.045f;
+        private const float Spacing = 0.02f, Reach = 0.045f;
 
-        static EmitterSpec Emitter(FluidEmitterShape shape, float x, float y) =>
+        private static EmitterSpec Emitter(FluidEmitterShape shape, float x, float y) =>
             new EmitterSpec { State = new EmitterState(), Shape = shape, Size = new Vector2(x, y), Amount = 1f, UnderWater = true };
 
         [TestCase(FluidEmitterShape.Rectangle, 0.08f, 0.08f)]
@@ -25,7 +25,9 @@ namespace SphFluid.Tests
             Assert.That(pipe.Length, Is.EqualTo(Reach + 0.25f * Spacing).Within(1e-6f));
             foreach (Vector2 place in EmitterSites.For(emitter, Spacing).Places)
                 for (float z = 0f; z <= pipe.Length; z += 0.25f * Spacing)
+                {
                     Assert.That(pipe.Mesh.Covers(new Vector3(place.x, place.y, z), 0.49f * Spacing), Is.False, $"{place} at {z}");
+                }
             float wide = 0.5f * Mathf.Max(pipe.Mesh.Bounds.size.x, pipe.Mesh.Bounds.size.y);
             Assert.That(pipe.Mesh.Covers(new Vector3(0f, 0f, -Spacing), 0f), "behind the nozzle is wall");
             Assert.That(pipe.Mesh.Covers(new Vector3(pipe.Mesh.Bounds.max.x - 0.5f * Spacing, 0f, 0.5f * Reach), 0f), "and beside it");

@@ -9,10 +9,10 @@ namespace SphFluid.Tests
     /// <summary>Whoever makes GPU buffers counts and releases all of them.</summary>
     public sealed class BufferOwnershipTests
     {
-        const float Spacing = 0.1f;
-        static readonly Vector3 Domain = new Vector3(1f, 1.2f, 0.9f);
+        private const float Spacing = 0.1f;
+        private static readonly Vector3 Domain = new Vector3(1f, 1.2f, 0.9f);
 
-        FluidShaderSet shaders;
+        private FluidShaderSet shaders;
 
         [SetUp]
         public void SetUp() => shaders = SurfaceTestScene.LoadShaders();
@@ -24,7 +24,10 @@ namespace SphFluid.Tests
         {
             FluidSolverSettings settings = method == FluidMethodKind.Standard
                 ? BodyRig.Water(Domain, Spacing, 0.5f) : TestSettings.ByRule(Domain, Spacing);
-            if (method == FluidMethodKind.Standard) settings = settings.WithOwn((ref StandardSettings own) => own.NeighbourList = neighbourList);
+            if (method == FluidMethodKind.Standard)
+            {
+                settings = settings.WithOwn((ref StandardSettings own) => own.NeighbourList = neighbourList);
+            }
             var solver = new FluidSolver(settings, shaders, ParticleSets.Random(257, Domain, 0f, 1));
             GpuTest.Run(cmd => solver.RecordSteps(cmd, 2));
             Assert.AreEqual(ReachableBuffers.Bytes(solver.State), solver.GpuBytes);
@@ -67,7 +70,7 @@ namespace SphFluid.Tests
             AssertReleased(field, field);
         }
 
-        static void AssertReleased(object owner, IDisposable disposable)
+        private static void AssertReleased(object owner, IDisposable disposable)
         {
             IReadOnlyList<GraphicsBuffer> held = ReachableBuffers.Of(owner);
             Assert.Greater(held.Count, 0);

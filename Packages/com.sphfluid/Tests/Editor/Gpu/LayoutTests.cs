@@ -7,10 +7,10 @@ namespace SphFluid.Tests
     /// <summary>Structs that C# and HLSL share have the same layout.</summary>
     public sealed class LayoutTests
     {
-        static readonly int Particles = Shader.PropertyToID("_Particles");
-        static readonly int Triangles = Shader.PropertyToID("_Triangles");
-        static readonly int Colliders = Shader.PropertyToID("_Colliders");
-        static readonly int Values = Shader.PropertyToID("_Values");
+        private static readonly int Particles = Shader.PropertyToID("_Particles");
+        private static readonly int Triangles = Shader.PropertyToID("_Triangles");
+        private static readonly int Colliders = Shader.PropertyToID("_Colliders");
+        private static readonly int Values = Shader.PropertyToID("_Values");
 
         [Test]
         public void StrideIsTheSizeOfTheStruct()
@@ -106,7 +106,11 @@ namespace SphFluid.Tests
                 StretchShear1 = new Vector3(512, 1024, 2048),
                 EndTriangles = 37,
             };
-            var triangle = new BodyTriangle { A = new Vector3(1, 2, 4), NormalX = 8, B = new Vector3(16, 32, 64), NormalY = 128, C = new Vector3(1, 2, 4), NormalZ = 16 };
+            var triangle = new BodyTriangle
+            {
+                A = new Vector3(1, 2, 4), NormalX = 8, B = new Vector3(16, 32, 64), NormalY = 128,
+                C = new Vector3(1, 2, 4), NormalZ = 16
+            };
             using (GraphicsBuffer bodies = GpuBuffers.Create("Bodies", 2, CollisionBody.Stride))
             using (GraphicsBuffer triangles = GpuBuffers.Create("BodyTriangles", 2, BodyTriangle.Stride))
             using (GraphicsBuffer values = GpuBuffers.Create("Values", 21, sizeof(float)))

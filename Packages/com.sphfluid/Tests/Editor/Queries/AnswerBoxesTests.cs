@@ -8,17 +8,18 @@ namespace SphFluid.Tests
     /// <summary>AnswerBoxes against sums over all particles, and against volumes that are known.</summary>
     public sealed class AnswerBoxesTests
     {
-        const float Spacing = 0.02f;
+        private const float Spacing = 0.02f;
 
-        static readonly Vector3 Domain = new Vector3(0.62f, 0.5f, 0.54f);
+        private static readonly Vector3 Domain = new Vector3(0.62f, 0.5f, 0.54f);
 
-        struct Box
+        private struct Box
         {
             public Vector3 Centre, Size;
             public Quaternion Rotation;
         }
 
-        static FluidBoxResult[] Ask(in FluidSolverSettings settings, FluidParticle[] particles, Box[] boxes, int times = 1, uint start = 0u)
+        private static FluidBoxResult[] Ask(in FluidSolverSettings settings, FluidParticle[] particles, Box[] boxes, int times = 1,
+            uint start = 0u)
         {
             var words = new QueryWord[AnswerBoxesPass.Words * boxes.Length];
             for (int i = 0; i < boxes.Length; i++)
@@ -38,7 +39,10 @@ namespace SphFluid.Tests
                 var pass = new AnswerBoxesPass(rig.Shaders);
                 FluidBoxResult[] found = null;
                 for (int i = 0; i < times; i++)
-                    found = rig.Ask<FluidBoxResult>(words, boxes.Length, 5, (cmd, target, queries) => pass.Record(cmd, target, queries, sums, boxes.Length, 5));
+                {
+                    found = rig.Ask<FluidBoxResult>(words, boxes.Length, 5,
+                        (cmd, target, queries) => pass.Record(cmd, target, queries, sums, boxes.Length, 5));
+                }
                 return found;
             }
         }
@@ -59,7 +63,8 @@ namespace SphFluid.Tests
             Box[] boxes = Enumerable.Range(0, count).Select(_ => new Box
             {
                 Centre = Vector3.Scale(ParticleSets.RandomVector(random), Domain),
-                Size = new Vector3(0.01f, 0.03f, 0.05f) + 0.3f * new Vector3((float)random.NextDouble(), (float)random.NextDouble(), (float)random.NextDouble()),
+                Size = new Vector3(0.01f, 0.03f, 0.05f) +
+                    0.3f * new Vector3((float)random.NextDouble(), (float)random.NextDouble(), (float)random.NextDouble()),
                 Rotation = Quaternion.Euler(400f * ParticleSets.RandomVector(random)),
             }).ToArray();
             FluidBoxResult[] found = Ask(settings, particles, boxes, 2); // the sums are zero again after the first
@@ -70,13 +75,15 @@ namespace SphFluid.Tests
                 Assert.That(found[i].Generation, Is.EqualTo(i + 1));
                 Assert.That(found[i].Volume / volume, Is.EqualTo(parts).Within(1e-4 + touched * 0.6 / 256.0), $"box {i}");
                 Assert.That(found[i].Particles, Is.EqualTo(inside).Within(1), $"box {i}"); // one may lie on a face
-                double fill = settings.ParticleMass / (settings.RestDensity * volume) * found[i].Volume / (boxes[i].Size.x * boxes[i].Size.y * boxes[i].Size.z);
+                double fill = settings.ParticleMass / (settings.RestDensity * volume) * found[i].Volume /
+                    (boxes[i].Size.x * boxes[i].Size.y * boxes[i].Size.z);
                 Assert.That(found[i].Fill, Is.EqualTo(Math.Min(1.0, fill)).Within(1e-5));
             }
             if (count > 10) Assert.That(found.Max(f => f.Particles), Is.GreaterThan(5));
         }
 
-        static (double parts, int inside, int touched) Expected(in Box box, FluidParticle[] particles, in FluidSolverSettings settings)
+        private static (double parts, int inside, int touched) Expected(in Box box, FluidParticle[] particles,
+            in FluidSolverSettings settings)
         {
             double side = settings.Spacing, sum = 0.0;
             int inside = 0, touched = 0;
@@ -91,7 +98,8 @@ namespace SphFluid.Tests
                 bool isInside = true;
                 for (int axis = 0; axis < 3; axis++)
                 {
-                    double low = Math.Max(along[axis] - 0.5 * side, -0.5 * box.Size[axis]), high = Math.Min(along[axis] + 0.5 * side, 0.5 * box.Size[axis]);
+                    double low = Math.Max(along[axis] - 0.5 * side, -0.5 * box.Size[axis]),
+                        high = Math.Min(along[axis] + 0.5 * side, 0.5 * box.Size[axis]);
                     part *= Math.Max(0.0, high - low) / side;
                     isInside &= Math.Abs(along[axis]) <= 0.5f * box.Size[axis];
                 }
@@ -151,32 +159,42 @@ namespace SphFluid.Tests
                 particles = rig.Particles();
             }
             float level = Level(settings, particles);
-            Box[] boxes = new[] { -0.14f, -0.05f, 0f, 0.03f }.Select(height => new Box { Centre = new Vector3(0f, level + height, 0f), Size = new Vector3(0.28f, 0.2f, 0.28f), Rotation = Quaternion.identity }).ToArray();
+            Box[] boxes = new[] { -0.14f, -0.05f, 0f,
+                0.03f }.Select(height =>
+                    new Box
+                    {
+                        Centre = new Vector3(0f, level + height, 0f), Size = new Vector3(0.28f, 0.2f, 0.28f),
+                        Rotation = Quaternion.identity
+                    }).ToArray();
             FluidBoxResult[] found = Ask(settings, particles, boxes);
-            TestContext.WriteLine($"level {level:f4} m: fill {string.Join(", ", found.Select(f => f.Fill.ToString("f4")))}, by volume {string.Join(", ", found.Select(f => (f.Volume / 0.01568f).ToString("f4")))}");
+            TestContext.WriteLine(
+                $"level {level:f4} m: fill {string.Join(", ", found.Select(f => f.Fill.ToString("f4")))}, by volume " +
+                $"{string.Join(", ", found.Select(f => (f.Volume / 0.01568f).ToString("f4")))}");
             float[] expected = { 1f, 0.75f, 0.5f, 0.35f };
             for (int i = 0; i < boxes.Length; i++) Assert.That(found[i].Fill, Is.EqualTo(expected[i]).Within(0.015f), $"{i}");
         }
 
         // Where rays down meet the water, in the mean.
-        static float Level(in FluidSolverSettings settings, FluidParticle[] particles)
+        private static float Level(in FluidSolverSettings settings, FluidParticle[] particles)
         {
             const int rays = 121;
             var words = new QueryWord[AnswerRaysPass.Words * rays];
             for (int i = 0; i < rays; i++)
             {
-                words[2 * i] = new QueryWord { Vector = QueryRig.World(new Vector3(0.035f * (i % 11 - 5), 0.3f, 0.035f * (i / 11 - 5))), Number = 1u };
+                words[2 * i] =
+                    new QueryWord { Vector = QueryRig.World(new Vector3(0.035f * (i % 11 - 5), 0.3f, 0.035f * (i / 11 - 5))), Number = 1u };
                 words[2 * i + 1] = new QueryWord(QueryRig.Turn * Vector3.down, 1f);
             }
             using (var rig = new QueryRig(settings, particles))
             {
                 var pass = new AnswerRaysPass(rig.Shaders);
-                return 0.3f - rig.Ask<FluidRayResult>(words, rays, 0, (cmd, target, queries) => pass.Record(cmd, target, queries, rays, 0)).Average(r => r.Distance);
+                return 0.3f - rig.Ask<FluidRayResult>(words, rays, 0, (cmd, target, queries) => pass.Record(cmd, target, queries, rays, 0))
+                    .Average(r => r.Distance);
             }
         }
 
         // Part of a box below the plane y = 0 and above the floor.
-        static double Below(in Box box)
+        private static double Below(in Box box)
         {
             const int n = 60;
             int below = 0;

@@ -7,15 +7,20 @@ namespace SphFluid.Tests
     /// <summary>AnswerNearest against a look at every particle on the CPU.</summary>
     public sealed class AnswerNearestTests
     {
-        static readonly Vector3 Domain = new Vector3(0.62f, 0.5f, 0.54f);
+        private static readonly Vector3 Domain = new Vector3(0.62f, 0.5f, 0.54f);
 
-        static FluidNearestResult[] Ask(in FluidSolverSettings settings, FluidParticle[] particles, Vector3[] places, float distance, uint generation = 7u)
+        private static FluidNearestResult[] Ask(in FluidSolverSettings settings, FluidParticle[] particles, Vector3[] places,
+            float distance, uint generation = 7u)
         {
-            QueryWord[] words = places.SelectMany(p => new[] { new QueryWord { Vector = QueryRig.World(p), Number = generation }, new QueryWord(Vector3.zero, distance) }).ToArray();
+            QueryWord[] words = places
+                .SelectMany(p =>
+                    new[] { new QueryWord { Vector = QueryRig.World(p), Number = generation }, new QueryWord(Vector3.zero, distance) })
+                    .ToArray();
             using (var rig = new QueryRig(settings, particles))
             {
                 var pass = new AnswerNearestPass(rig.Shaders);
-                return rig.Ask<FluidNearestResult>(words, places.Length, 3, (cmd, target, queries) => pass.Record(cmd, target, queries, places.Length, 3));
+                return rig.Ask<FluidNearestResult>(words, places.Length, 3,
+                    (cmd, target, queries) => pass.Record(cmd, target, queries, places.Length, 3));
             }
         }
 
@@ -32,7 +37,8 @@ namespace SphFluid.Tests
             settings.Boundaries.Periodic = periodic;
             FluidParticle[] particles = ParticleSets.Random(particleCount, Domain, 1f, 3);
             var random = new System.Random(4);
-            Vector3[] places = Enumerable.Range(0, count).Select(_ => 1.1f * Vector3.Scale(ParticleSets.RandomVector(random), Domain)).ToArray();
+            Vector3[] places = Enumerable.Range(0, count)
+                .Select(_ => 1.1f * Vector3.Scale(ParticleSets.RandomVector(random), Domain)).ToArray();
             FluidNearestResult[] found = Ask(settings, particles, places, distance);
             Vector3 period = settings.PeriodLength;
             int none = 0;

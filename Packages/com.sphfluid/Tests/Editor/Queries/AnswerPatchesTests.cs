@@ -9,9 +9,9 @@ namespace SphFluid.Tests
     /// <summary>AnswerPatches against crossings counted on the CPU from where particles are at each look.</summary>
     public sealed class AnswerPatchesTests
     {
-        static readonly Vector3 Domain = new Vector3(0.62f, 0.5f, 0.54f);
+        private static readonly Vector3 Domain = new Vector3(0.62f, 0.5f, 0.54f);
 
-        sealed class Patch
+        private sealed class Patch
         {
             public Vector3 Centre, Step;
             public Vector2 Size;
@@ -21,7 +21,7 @@ namespace SphFluid.Tests
             public Quaternion RotationAt(int look) => look % 2 == 0 ? Rotation : Rotation * Turn;
         }
 
-        static Patch[] Patches(int count)
+        private static Patch[] Patches(int count)
         {
             var random = new System.Random(8);
             float Any() => (float)random.NextDouble();
@@ -35,14 +35,14 @@ namespace SphFluid.Tests
             }).ToArray();
         }
 
-        static QueryWord[] Words(Patch[] patches, int look, uint generation) => patches.SelectMany(p => new[]
+        private static QueryWord[] Words(Patch[] patches, int look, uint generation) => patches.SelectMany(p => new[]
         {
             new QueryWord { Vector = QueryRig.World(p.At(look)), Number = generation },
             new QueryWord(QueryRig.Turn * p.RotationAt(look) * Vector3.right, 0.5f * p.Size.x),
             new QueryWord(QueryRig.Turn * p.RotationAt(look) * Vector3.up, 0.5f * p.Size.y),
         }).ToArray();
 
-        static FluidParticle[] Flying(int count)
+        private static FluidParticle[] Flying(int count)
         {
             var random = new System.Random(5);
             FluidParticle[] particles = ParticleSets.Random(count, 0.9f * Domain, 1f, 3);
@@ -85,10 +85,14 @@ namespace SphFluid.Tests
                         sums.Reserve(count, particleCount, retired);
                         pass.Record(cmd, target, queries, sums, count, 2);
                     });
-                    Dictionary<uint, Vector3> now = GpuTest.Read<FluidParticle>(rig.Solver.Particles, particleCount).ToDictionary(p => p.Id, p => p.Position);
+                    Dictionary<uint, Vector3> now = GpuTest.Read<FluidParticle>(rig.Solver.Particles, particleCount)
+                        .ToDictionary(p => p.Id, p => p.Position);
                     for (int i = 0; before != null && i < count; i++)
                         foreach (KeyValuePair<uint, Vector3> particle in now)
-                            Count(patches[i], look, before[particle.Key], particle.Value, settings.PeriodLength, ref forward[i], ref backward[i], ref unsure[i]);
+                        {
+                            Count(patches[i], look, before[particle.Key], particle.Value, settings.PeriodLength, ref forward[i],
+                                ref backward[i], ref unsure[i]);
+                        }
                     before = now;
                 }
             }
@@ -104,7 +108,8 @@ namespace SphFluid.Tests
             Assert.That(unsure.Sum(), Is.LessThanOrEqualTo(2 + (forward.Sum() + backward.Sum()) / 50));
         }
 
-        static void Count(Patch patch, int look, Vector3 from, Vector3 to, Vector3 period, ref int forward, ref int backward, ref int unsure)
+        private static void Count(Patch patch, int look, Vector3 from, Vector3 to, Vector3 period, ref int forward, ref int backward,
+            ref int unsure)
         {
             Vector3 Nearest(Vector3 d)
             {
@@ -112,7 +117,8 @@ namespace SphFluid.Tests
                     if (period[axis] > 0f) d[axis] -= period[axis] * Mathf.Round(d[axis] / period[axis]);
                 return d;
             }
-            Vector3 start = Nearest(from - patch.At(look - 1)), end = start + Nearest(to - from) - Nearest(patch.At(look) - patch.At(look - 1));
+            Vector3 start = Nearest(from - patch.At(look - 1)),
+                end = start + Nearest(to - from) - Nearest(patch.At(look) - patch.At(look - 1));
             Vector3 a = Quaternion.Inverse(patch.RotationAt(look - 1)) * start, b = Quaternion.Inverse(patch.RotationAt(look)) * end;
             const float tiny = 1e-5f;
             bool near = Math.Abs(a.z) < tiny || Math.Abs(b.z) < tiny;

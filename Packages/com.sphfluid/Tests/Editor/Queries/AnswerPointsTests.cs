@@ -7,10 +7,10 @@ namespace SphFluid.Tests
     /// <summary>AnswerPoints against sums over all particles in double precision.</summary>
     public sealed class AnswerPointsTests
     {
-        static readonly Vector3 Domain = new Vector3(0.62f, 0.5f, 0.54f), Place = new Vector3(3f, -2f, 1f);
-        static readonly Quaternion Turn = Quaternion.Euler(20f, 130f, -40f);
+        private static readonly Vector3 Domain = new Vector3(0.62f, 0.5f, 0.54f), Place = new Vector3(3f, -2f, 1f);
+        private static readonly Quaternion Turn = Quaternion.Euler(20f, 130f, -40f);
 
-        FluidShaderSet shaders;
+        private FluidShaderSet shaders;
 
         [SetUp]
         public void SetUp() => shaders = TestShaders.CreateSet();
@@ -40,14 +40,16 @@ namespace SphFluid.Tests
                 queries[i] = new Vector4(world.x, world.y, world.z, BitConverter.Int32BitsToSingle(i + 1));
             }
             using (var solver = new FluidSolver(settings, shaders, particles))
-            using (GraphicsBuffer asked = GpuBuffers.Create("Queries", points, 16), answers = GpuBuffers.Create("Results", points, FluidPointResult.Stride))
+            using (GraphicsBuffer asked = GpuBuffers.Create("Queries", points, 16),
+                answers = GpuBuffers.Create("Results", points, FluidPointResult.Stride))
             {
                 if (points > 0) asked.SetData(queries);
                 var pass = new AnswerPointsPass(shaders);
                 GpuTest.Run(cmd =>
                 {
                     solver.RecordNeighbourSetup(cmd);
-                    pass.Record(cmd, new QueryTarget { Solver = solver, Position = Place, Rotation = Turn, Results = answers }, asked, points, 0);
+                    pass.Record(cmd, new QueryTarget { Solver = solver, Position = Place, Rotation = Turn, Results = answers },
+                        asked, points, 0);
                 });
                 FluidPointResult[] found = ReadResults(answers, points);
                 int wet = 0;
@@ -57,22 +59,30 @@ namespace SphFluid.Tests
                     Assert.That(found[i].Generation, Is.EqualTo(i + 1));
                     Assert.That(found[i].Density, Is.EqualTo(density).Within(1e-4 * settings.RestDensity));
                     Vector3 v = Quaternion.Inverse(Turn) * found[i].Velocity;
-                    if (density > 0.1 * settings.RestDensity) Assert.That((v - new Vector3((float)velocity.X, (float)velocity.Y, (float)velocity.Z)).magnitude, Is.LessThan(1e-4));
-                    if (Math.Abs(density / settings.RestDensity - 0.5) > 1e-3) Assert.That(found[i].IsWet, Is.EqualTo(density > 0.5 * settings.RestDensity));
+                    if (density > 0.1 * settings.RestDensity)
+                    {
+                        Assert.That((v - new Vector3((float)velocity.X, (float)velocity.Y, (float)velocity.Z)).magnitude,
+                            Is.LessThan(1e-4));
+                    }
+                    if (Math.Abs(density / settings.RestDensity - 0.5) > 1e-3)
+                    {
+                        Assert.That(found[i].IsWet, Is.EqualTo(density > 0.5 * settings.RestDensity));
+                    }
                     wet += found[i].IsWet ? 1 : 0;
                 }
                 if (points > 1) Assert.That(wet, Is.InRange(1, points - 1));
             }
         }
 
-        static FluidPointResult[] ReadResults(GraphicsBuffer answers, int points)
+        private static FluidPointResult[] ReadResults(GraphicsBuffer answers, int points)
         {
             var found = new FluidPointResult[points];
             if (points > 0) answers.GetData(found);
             return found;
         }
 
-        static (double density, Double3 velocity) Expected(Vector3 place, FluidParticle[] particles, in FluidSolverSettings settings)
+        private static (double density, Double3 velocity) Expected(Vector3 place, FluidParticle[] particles,
+            in FluidSolverSettings settings)
         {
             double sum = 0.0, radius = settings.SupportRadius, part = 1.0;
             Vector3 period = settings.PeriodLength;
@@ -92,12 +102,15 @@ namespace SphFluid.Tests
             }
             for (int axis = 0; axis < 3; axis++)
                 if (!(period[axis] > 0f))
-                    part *= Inside((0.5 * settings.DomainSize[axis] + place[axis]) / radius) + Inside((0.5 * settings.DomainSize[axis] - place[axis]) / radius) - 1.0;
+                {
+                    part *= Inside((0.5 * settings.DomainSize[axis] + place[axis]) / radius) +
+                        Inside((0.5 * settings.DomainSize[axis] - place[axis]) / radius) - 1.0;
+                }
             return (settings.ParticleMass * sum / Math.Max(part, 0.125), (1.0 / Math.Max(sum, 1e-30)) * velocity);
         }
 
         // Wendland's kernel on the inner side of a plane, by shells: of one with radius q R the part 1/2 + s/(2q) lies there.
-        static double Inside(double s)
+        private static double Inside(double s)
         {
             const int shells = 2000;
             double sum = 0.0;

@@ -7,14 +7,14 @@ namespace SphFluid.Tests
     /// <summary>AnswerRays against liquids whose surface is known.</summary>
     public sealed class AnswerRaysTests
     {
-        const float Spacing = 0.02f;
+        private const float Spacing = 0.02f;
 
         // A pool of 20 layers: its surface is half a spacing above the highest.
-        static readonly Vector3Int Pool = new Vector3Int(26, 20, 24);
-        static readonly Vector3 Domain = new Vector3(26, 40, 24) * Spacing;
-        const float Level = 0f;
+        private static readonly Vector3Int Pool = new Vector3Int(26, 20, 24);
+        private static readonly Vector3 Domain = new Vector3(26, 40, 24) * Spacing;
+        private const float Level = 0f;
 
-        static QueryWord[] Words(int count, Func<int, (Vector3 origin, Vector3 direction, float length)> ray)
+        private static QueryWord[] Words(int count, Func<int, (Vector3 origin, Vector3 direction, float length)> ray)
         {
             var words = new QueryWord[AnswerRaysPass.Words * count];
             for (int i = 0; i < count; i++)
@@ -26,7 +26,7 @@ namespace SphFluid.Tests
             return words;
         }
 
-        static FluidRayResult[] Ask(int count, Func<int, (Vector3, Vector3, float)> ray, FluidAxes periodic = FluidAxes.None)
+        private static FluidRayResult[] Ask(int count, Func<int, (Vector3, Vector3, float)> ray, FluidAxes periodic = FluidAxes.None)
         {
             FluidSolverSettings settings = TestSettings.ByRule(Domain, Spacing);
             settings.Boundaries.Periodic = periodic;
@@ -35,7 +35,8 @@ namespace SphFluid.Tests
             using (var rig = new QueryRig(settings, particles))
             {
                 var pass = new AnswerRaysPass(rig.Shaders);
-                return rig.Ask<FluidRayResult>(Words(count, ray), count, 3, (cmd, target, queries) => pass.Record(cmd, target, queries, count, 3));
+                return rig.Ask<FluidRayResult>(Words(count, ray), count, 3,
+                    (cmd, target, queries) => pass.Record(cmd, target, queries, count, 3));
             }
         }
 
@@ -61,8 +62,9 @@ namespace SphFluid.Tests
         }
 
         // Above the pool, up to the domain's faces along x and z; some begin above the domain.
-        static Vector3 At(System.Random random) => new Vector3(
-            ((float)random.NextDouble() - 0.5f) * 0.999f * Domain.x, 0.05f + (float)random.NextDouble(), ((float)random.NextDouble() - 0.5f) * 0.999f * Domain.z);
+        private static Vector3 At(System.Random random) => new Vector3(
+            ((float)random.NextDouble() - 0.5f) * 0.999f * Domain.x, 0.05f + (float)random.NextDouble(),
+            ((float)random.NextDouble() - 0.5f) * 0.999f * Domain.z);
 
         [Test]
         public void WhatARayCannotReachItDoesNotMeet()
@@ -89,9 +91,13 @@ namespace SphFluid.Tests
         public void ObliqueRaysMeetTheSamePlane([Values(FluidAxes.None, FluidAxes.X | FluidAxes.Z)] FluidAxes periodic)
         {
             const int count = 61;
-            FluidRayResult[] found = Ask(count, i => (new Vector3(0.1f, 0.15f, -0.05f), new Vector3(Mathf.Sin(i) * 0.8f, -1f, Mathf.Cos(i) * 0.8f), 5f), periodic);
+            FluidRayResult[] found = Ask(count,
+                i => (new Vector3(0.1f, 0.15f, -0.05f), new Vector3(Mathf.Sin(i) * 0.8f, -1f, Mathf.Cos(i) * 0.8f), 5f), periodic);
             foreach (FluidRayResult result in found)
-                Assert.That((Quaternion.Inverse(QueryRig.Turn) * (result.Place - QueryRig.Place)).y, Is.EqualTo(Level).Within(0.25f * Spacing));
+            {
+                Assert.That((Quaternion.Inverse(QueryRig.Turn) * (result.Place - QueryRig.Place)).y,
+                    Is.EqualTo(Level).Within(0.25f * Spacing));
+            }
         }
     }
 }

@@ -11,8 +11,8 @@ namespace SphFluid.Tests
     [Explicit("Takes a minute and measures time.")]
     public sealed class QueryFigures
     {
-        const float Spacing = 0.02f;
-        const int Repeats = 8;
+        private const float Spacing = 0.02f;
+        private const int Repeats = 8;
 
         // A pool in the lower half of a cube.
         [TestCase(32, 16)]
@@ -31,16 +31,24 @@ namespace SphFluid.Tests
                 foreach (int count in new[] { 100, 1000, 10000 })
                 {
                     Say("points", count, Time(rig, 1, count, (cmd, target, queries) => points.Record(cmd, target, queries, count, 0)));
-                    if (count < 10000) Say("rays down", count, Time(rig, 2, count, (cmd, target, queries) => rays.Record(cmd, target, queries, count, 0)));
-                    if (count == 100) Say("nearest", count, Time(rig, 2, count, (cmd, target, queries) => nearest.Record(cmd, target, queries, count, 0)));
+                    if (count < 10000)
+                    {
+                        Say("rays down", count, Time(rig, 2, count, (cmd, target, queries) => rays.Record(cmd, target, queries, count, 0)));
+                    }
+                    if (count == 100)
+                    {
+                        Say("nearest", count,
+                            Time(rig, 2, count, (cmd, target, queries) => nearest.Record(cmd, target, queries, count, 0)));
+                    }
                 }
             }
         }
 
-        static void Say(string what, int count, double milliseconds) => TestContext.WriteLine($"{count} {what}: {milliseconds:0.000} ms");
+        private static void Say(string what, int count, double milliseconds) =>
+            TestContext.WriteLine($"{count} {what}: {milliseconds:0.000} ms");
 
         // Of a recorded batch over an empty one, the least of some.
-        static double Time(QueryRig rig, int words, int count, Action<CommandBuffer, QueryTarget, GraphicsBuffer> record)
+        private static double Time(QueryRig rig, int words, int count, Action<CommandBuffer, QueryTarget, GraphicsBuffer> record)
         {
             var random = new System.Random(1);
             var asked = new QueryWord[words * count];

@@ -10,7 +10,7 @@ namespace SphFluid.Tests
         public static readonly Vector3 Place = new Vector3(3f, -2f, 1f);
         public static readonly Quaternion Turn = Quaternion.Euler(20f, 130f, -40f);
 
-        readonly FluidSolver solver;
+        private readonly FluidSolver solver;
 
         public QueryRig(in FluidSolverSettings settings, FluidParticle[] particles)
         {
@@ -25,9 +25,11 @@ namespace SphFluid.Tests
         public static Vector3 World(Vector3 place) => Place + Turn * place;
 
         /// <summary>Records the answers behind <paramref name="first"/> others and reads them.</summary>
-        public T[] Ask<T>(QueryWord[] words, int count, int first, Action<CommandBuffer, QueryTarget, GraphicsBuffer> record) where T : struct
+        public T[] Ask<T>(QueryWord[] words, int count, int first, Action<CommandBuffer, QueryTarget, GraphicsBuffer> record)
+            where T : struct
         {
-            using (GraphicsBuffer asked = GpuBuffers.Create("Queries", Math.Max(1, words.Length), QueryWord.Stride), answers = GpuBuffers.Create("Results", first + count, QueryReadback.Stride))
+            using (GraphicsBuffer asked = GpuBuffers.Create("Queries", Math.Max(1, words.Length), QueryWord.Stride),
+                answers = GpuBuffers.Create("Results", first + count, QueryReadback.Stride))
             {
                 if (words.Length > 0) asked.SetData(words);
                 GpuTest.Run(cmd =>

@@ -32,6 +32,6 @@ namespace SphFluid.Tests
             }
         }
 
-        static Camera NewCamera() => new GameObject("Camera").AddComponent<Camera>();
+        private static Camera NewCamera() => new GameObject("Camera").AddComponent<Camera>();
     }
 }

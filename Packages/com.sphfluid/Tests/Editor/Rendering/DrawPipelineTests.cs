@@ -10,24 +10,27 @@ namespace SphFluid.Tests
     /// <summary>What the drawings promise every render pipeline, and what they do in HDRP.</summary>
     public sealed class DrawPipelineTests
     {
-        const int Size = 128;
+        private const int Size = 128;
 
-        static readonly Vector3 Eye = new Vector3(1.5f, 1f, -2f);
+        private static readonly Vector3 Eye = new Vector3(1.5f, 1f, -2f);
 
-        static readonly string[] shaderFiles =
+        private static readonly string[] shaderFiles =
         {
             "Rendering/FluidParticles.shader", "Rendering/ParticleSquares.hlsl", "Rendering/FluidShading.hlsl",
-            "Rendering/FluidSurface.shader", "Rendering/FluidWater.shader", "Rendering/WaterThickness.shader", "Rendering/WaterDepth.shader",
+            "Rendering/FluidSurface.shader", "Rendering/FluidWater.shader", "Rendering/WaterThickness.shader",
+            "Rendering/WaterDepth.shader",
             "Rendering/SurfaceDrawing.hlsl",
             "Rendering/WaterPath.hlsl", "Rendering/WaterShading.hlsl", "Rendering/WaterThickness.hlsl",
-            "Surface/Thesis/FluidSurfaceGeometry.shader", "Surface/SurfaceFragment.hlsl", "Surface/Thesis/SurfaceGeometry.hlsl", "Surface/SurfaceShading.hlsl",
+            "Surface/Thesis/FluidSurfaceGeometry.shader", "Surface/SurfaceFragment.hlsl", "Surface/Thesis/SurfaceGeometry.hlsl",
+            "Surface/SurfaceShading.hlsl",
             "Surface/SurfaceGrid.hlsl", "Surface/MarchingCubes.hlsl", "Surface/Sparse/SurfaceVertices.hlsl",
         };
 
         [TestCase("Rendering/FluidParticles.shader")]
         [TestCase("Rendering/FluidSurface.shader")]
         [TestCase("Surface/Thesis/FluidSurfaceGeometry.shader")]
-        public void PassesServeBuiltInAndScriptablePipelines(string file) => CheckPasses(file, "ShadowCaster", "DepthOnly", "DepthNormalsOnly");
+        public void PassesServeBuiltInAndScriptablePipelines(string file) =>
+        CheckPasses(file, "ShadowCaster", "DepthOnly", "DepthNormalsOnly");
 
         // Of transparent things no pipeline wants the depth.
         [Test]
@@ -39,12 +42,11 @@ namespace SphFluid.Tests
             StringAssert.Contains("Blend One OneMinusSrcAlpha", text);
         }
 
-        static void CheckPasses(string file, params string[] expected)
+        private static void CheckPasses(string file, params string[] expected)
         {
             string text = Text(file);
             var modes = new List<string>();
-            foreach (Match match in Regex.Matches(text, "\"LightMode\" = \"(\\w+)\""))
-                modes.Add(match.Groups[1].Value);
+            foreach (Match match in Regex.Matches(text, "\"LightMode\" = \"(\\w+)\"")) modes.Add(match.Groups[1].Value);
             Assert.AreEqual(expected, modes.ToArray());
             StringAssert.IsMatch("Name \"Forward\"\\s+Cull", text, "the first pass has no LightMode: every pipeline draws it");
             StringAssert.DoesNotContain("RenderPipeline", text, "one SubShader for all pipelines");
@@ -55,7 +57,9 @@ namespace SphFluid.Tests
         {
             string text = Text(file);
             foreach (Match match in Regex.Matches(text, "#include \"([^\"]+)\""))
+            {
                 StringAssert.DoesNotMatch("^Packages/|UnityCG|Lighting|Core", match.Groups[1].Value);
+            }
             StringAssert.DoesNotMatch("_WorldSpaceLightPos0|_LightColor0|_MainLight|unity_SH[ABC]", text);
             StringAssert.DoesNotMatch("UNITY_MATRIX_|CGPROGRAM", text);
         }
@@ -87,8 +91,7 @@ namespace SphFluid.Tests
             {
                 Matrix4x4 view = SurfaceTestScene.LookAtOrigin(Eye);
                 Color[] builtIn = Draw(squares, view, DrawPipelineKind.BuiltIn);
-                if (cameraRelative)
-                    view.SetColumn(3, new Vector4(0f, 0f, 0f, 1f));
+                if (cameraRelative) view.SetColumn(3, new Vector4(0f, 0f, 0f, 1f));
                 Color[] highDefinition = Draw(squares, view, DrawPipelineKind.HighDefinition);
 
                 int covered = 0, moved = 0;
@@ -103,9 +106,10 @@ namespace SphFluid.Tests
             }
         }
 
-        static Color[] Draw(ParticleSquares squares, Matrix4x4 view, DrawPipelineKind kind)
+        private static Color[] Draw(ParticleSquares squares, Matrix4x4 view, DrawPipelineKind kind)
         {
-            var particles = new[] { new FluidParticle(Vector3.zero, Vector3.zero, 0), new FluidParticle(new Vector3(0.3f, 0.1f, 0.2f), Vector3.zero, 1) };
+            var particles = new[] { new FluidParticle(Vector3.zero, Vector3.zero, 0),
+                new FluidParticle(new Vector3(0.3f, 0.1f, 0.2f), Vector3.zero, 1) };
             var look = new ParticleLook { Size = 0.4f, Color = Color.white, FastColor = Color.white };
             var placement = new DrawPlacement(Matrix4x4.identity, Vector3.one, 0.4f, 0, false);
             var exposure = new Texture2D(1, 1, TextureFormat.RGBAFloat, false, true);
@@ -134,16 +138,15 @@ namespace SphFluid.Tests
             }
         }
 
-        static float Sum(Color[] picture)
+        private static float Sum(Color[] picture)
         {
             float sum = 0f;
-            foreach (Color pixel in picture)
-                sum += pixel.r + pixel.g + pixel.b;
+            foreach (Color pixel in picture) sum += pixel.r + pixel.g + pixel.b;
             return sum;
         }
 
         // Of what the files of the package say, comments left out.
-        static string Text(string file)
+        private static string Text(string file)
         {
             string path = AssetDatabase.GetAssetPath(SurfaceTestScene.LoadShaders().Find("SPH Fluid/Particles"));
             string folder = Path.GetFullPath(Path.Combine(Path.GetDirectoryName(path), ".."));

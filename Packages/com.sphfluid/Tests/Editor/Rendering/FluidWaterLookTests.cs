@@ -11,8 +11,7 @@ namespace SphFluid.Tests
         {
             var look = new FluidWaterLook { ColorAtOneMetre = new Color(0.3f, 0.6f, 0.8f), Visibility = float.PositiveInfinity };
             Color expected = QualitySettings.activeColorSpace == ColorSpace.Linear ? look.ColorAtOneMetre.linear : look.ColorAtOneMetre;
-            for (int c = 0; c < 3; c++)
-                Assert.AreEqual(expected[c], Mathf.Exp(-look.Extinction[c]), 1e-5f);
+            for (int c = 0; c < 3; c++) Assert.AreEqual(expected[c], Mathf.Exp(-look.Extinction[c]), 1e-5f);
             Assert.AreEqual(Vector4.zero, look.Albedo);
         }
 

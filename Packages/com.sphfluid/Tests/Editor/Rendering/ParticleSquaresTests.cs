@@ -7,11 +7,11 @@ namespace SphFluid.Tests
     /// <summary>Particles as squares: what one particle covers.</summary>
     public sealed class ParticleSquaresTests
     {
-        const int Size = 200;
-        const float ViewHeight = 2f; // m across the picture, so 100 pixels a metre
+        private const int Size = 200;
+        private const float ViewHeight = 2f; // m across the picture, so 100 pixels a metre
 
-        FluidShaderSet shaders;
-        ParticleSquares squares;
+        private FluidShaderSet shaders;
+        private ParticleSquares squares;
 
         [SetUp]
         public void SetUp()
@@ -52,7 +52,8 @@ namespace SphFluid.Tests
         [Test]
         public void EachParticleIsDrawn()
         {
-            Color[] picture = Draw(0.2f, null, Matrix4x4.identity, new Vector3(-0.5f, 0f, 0f), new Vector3(0.5f, 0f, 0f), new Vector3(0f, 0.5f, 0.1f));
+            Color[] picture = Draw(0.2f, null, Matrix4x4.identity, new Vector3(-0.5f, 0f, 0f), new Vector3(0.5f, 0f, 0f),
+                new Vector3(0f, 0.5f, 0.1f));
             Assert.AreEqual(3 * Math.PI * 10 * 10, Covered(picture), 0.08 * 3 * Math.PI * 10 * 10);
         }
 
@@ -96,11 +97,10 @@ namespace SphFluid.Tests
             }
         }
 
-        Color[] Draw(float size, Texture2D sprite, Matrix4x4 localToWorld, params Vector3[] positions)
+        private Color[] Draw(float size, Texture2D sprite, Matrix4x4 localToWorld, params Vector3[] positions)
         {
             var particles = new FluidParticle[positions.Length];
-            for (int i = 0; i < positions.Length; i++)
-                particles[i] = new FluidParticle(positions[i], Vector3.zero, (uint)i);
+            for (int i = 0; i < positions.Length; i++) particles[i] = new FluidParticle(positions[i], Vector3.zero, (uint)i);
             var look = new ParticleLook { Size = size, Color = Color.white, FastColor = Color.red, Sprite = sprite };
             var placement = new DrawPlacement(localToWorld, Vector3.one, size, 0, false);
             Matrix4x4 projection = Matrix4x4.Ortho(-ViewHeight / 2f, ViewHeight / 2f, -ViewHeight / 2f, ViewHeight / 2f, 0.1f, 10f);
@@ -114,21 +114,19 @@ namespace SphFluid.Tests
             }
         }
 
-        static int Covered(Color[] picture)
+        private static int Covered(Color[] picture)
         {
             int covered = 0;
-            foreach (Color pixel in picture)
-                covered += pixel.a > 0f ? 1 : 0;
+            foreach (Color pixel in picture) covered += pixel.a > 0f ? 1 : 0;
             return covered;
         }
 
-        static Vector2 Centre(Color[] picture)
+        private static Vector2 Centre(Color[] picture)
         {
             Vector2 sum = Vector2.zero;
             for (int i = 0; i < picture.Length; i++)
             {
-                if (picture[i].a > 0f)
-                    sum += new Vector2(i % Size + 0.5f, i / Size + 0.5f);
+                if (picture[i].a > 0f) sum += new Vector2(i % Size + 0.5f, i / Size + 0.5f);
             }
             return sum / Covered(picture);
         }

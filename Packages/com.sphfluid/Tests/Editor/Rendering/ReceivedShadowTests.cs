@@ -7,22 +7,23 @@ using Object = UnityEngine.Object;
 namespace SphFluid.Tests
 {
     /// <summary>
-    /// Shadows from a map of two cascades side by side, placed by the variables of the Built-in pipeline and of the Universal Render Pipeline. A blind
-    /// over z above 0.1 m hangs in the first cascade, and over z below -0.1 m in the second; the light comes straight from above.
+    /// Shadows from a map of two cascades side by side, placed by the variables of the Built-in pipeline and of the Universal Render
+    /// Pipeline. A blind over z above 0.1 m hangs in the first cascade, and over z below -0.1 m in the second; the light comes straight
+    /// from above.
     /// </summary>
     public sealed class ReceivedShadowTests
     {
-        const int Size = 64;
-        const int Texels = 512; // of a cascade, 1.2 m wide
-        const float CascadeWidth = 1.2f;
-        const float Height = 1f; // of the light's eye and of the camera [m]
+        private const int Size = 64;
+        private const int Texels = 512; // of a cascade, 1.2 m wide
+        private const float CascadeWidth = 1.2f;
+        private const float Height = 1f; // of the light's eye and of the camera [m]
 
-        static readonly Matrix4x4 fromAbove = SurfaceTestScene.LookAtOrigin(new Vector3(0f, Height, -1e-4f));
+        private static readonly Matrix4x4 fromAbove = SurfaceTestScene.LookAtOrigin(new Vector3(0f, Height, -1e-4f));
 
-        OpaqueDrawing drawing;
-        UploadedSurface plane, far, near;
-        RenderTexture map;
-        Texture2D constants;
+        private OpaqueDrawing drawing;
+        private UploadedSurface plane, far, near;
+        private RenderTexture map;
+        private Texture2D constants;
 
         [SetUp]
         public void SetUp()
@@ -62,8 +63,10 @@ namespace SphFluid.Tests
             {
                 float fromMiddle = new Vector2(x, z).magnitude;
                 bool byDistance = source == MainLightShadows.BySpheres || source == MainLightShadows.Universal;
-                int cascade = source == MainLightShadows.Whole ? 0 : source == MainLightShadows.ByDepth ? 1 : fromMiddle < 0.25f ? 0 : fromMiddle < 0.45f ? 1 : 2;
-                bool isAtEdge = Mathf.Abs(Mathf.Abs(z) - 0.1f) < 0.02f || (byDistance && (Mathf.Abs(fromMiddle - 0.25f) < 0.01f || Mathf.Abs(fromMiddle - 0.45f) < 0.01f));
+                int cascade = source == MainLightShadows.Whole ? 0 : source == MainLightShadows.ByDepth ? 1 : fromMiddle < 0.25f ? 0
+                    : fromMiddle < 0.45f ? 1 : 2;
+                bool isAtEdge = Mathf.Abs(Mathf.Abs(z) - 0.1f) < 0.02f ||
+                    (byDistance && (Mathf.Abs(fromMiddle - 0.25f) < 0.01f || Mathf.Abs(fromMiddle - 0.45f) < 0.01f));
                 bool isUnder = cascade == 0 ? z > 0.1f : cascade == 1 && z < -0.1f;
                 return isAtEdge ? float.NaN : isUnder ? 1f - strength : 1f;
             });
@@ -108,24 +111,24 @@ namespace SphFluid.Tests
             Assert.That(Draw(block => Place(block, MainLightShadows.None, 1f, 2, 0f)), Is.EqualTo(lit).Within(1e-5f));
         }
 
-        static UploadedSurface Blind(float z) =>
+        private static UploadedSurface Blind(float z) =>
             new UploadedSurface().Quad(new Vector3(0f, 0.3f, z), Vector3.forward * 0.5f, Vector3.right, Vector3.up);
 
-        static void CheckAll(float[] lit, float[] shaded, Func<float, float, float> expected)
+        private static void CheckAll(float[] lit, float[] shaded, Func<float, float, float> expected)
         {
             for (int i = 0; i < lit.Length; i++)
             {
                 float x = (i % Size + 0.5f) / Size - 0.5f, z = (i / Size + 0.5f) / Size - 0.5f;
                 float share = expected(x, z);
                 Assert.Greater(lit[i], 0.1f);
-                if (!float.IsNaN(share))
-                    Assert.AreEqual(share, shaded[i] / lit[i], 5e-3f, $"at x {x}, z {z}");
+                if (!float.IsNaN(share)) Assert.AreEqual(share, shaded[i] / lit[i], 5e-3f, $"at x {x}, z {z}");
             }
         }
 
-        static Matrix4x4 Light(int cascade) => Matrix4x4.Ortho(-0.5f * CascadeWidth, 0.5f * CascadeWidth, -0.5f * CascadeWidth, 0.5f * CascadeWidth, 0f, 2f * Height);
+        private static Matrix4x4 Light(int cascade) =>
+            Matrix4x4.Ortho(-0.5f * CascadeWidth, 0.5f * CascadeWidth, -0.5f * CascadeWidth, 0.5f * CascadeWidth, 0f, 2f * Height);
 
-        void DrawMap(CommandBuffer cmd)
+        private void DrawMap(CommandBuffer cmd)
         {
             cmd.SetRenderTarget(map);
             cmd.ClearRenderTarget(true, false, Color.clear);
@@ -135,11 +138,12 @@ namespace SphFluid.Tests
                 cmd.SetViewProjectionMatrices(fromAbove, Light(cascade));
                 SurfaceBuffers blind = (cascade == 0 ? far : near).Buffers;
                 MaterialPropertyBlock block = Fill(blind);
-                cmd.DrawProceduralIndirect(blind.Indices, Matrix4x4.identity, drawing.Material, 1, MeshTopology.Triangles, blind.Arguments, 0, block);
+                cmd.DrawProceduralIndirect(blind.Indices, Matrix4x4.identity, drawing.Material, 1, MeshTopology.Triangles,
+                    blind.Arguments, 0, block);
             }
         }
 
-        MaterialPropertyBlock Fill(in SurfaceBuffers surface)
+        private MaterialPropertyBlock Fill(in SurfaceBuffers surface)
         {
             var placement = new DrawPlacement(Matrix4x4.identity, Vector3.one * 4f, 0f, 0, false, true, 0.02f);
             drawing.Fill(surface, new SurfaceGrid(Vector3.one * -2f, Vector3.one * 4f, 64), SurfaceWalls.Closed, placement);
@@ -151,18 +155,17 @@ namespace SphFluid.Tests
         }
 
         // World to the cascade's half of the map, as Unity's pipelines make it.
-        static Matrix4x4 WorldToMap(int cascade)
+        private static Matrix4x4 WorldToMap(int cascade)
         {
             Matrix4x4 projection = Light(cascade);
-            if (SystemInfo.usesReversedZBuffer)
-                projection.SetRow(2, -projection.GetRow(2));
+            if (SystemInfo.usesReversedZBuffer) projection.SetRow(2, -projection.GetRow(2));
             Matrix4x4 toUnit = Matrix4x4.Translate(Vector3.one * 0.5f) * Matrix4x4.Scale(Vector3.one * 0.5f);
             Matrix4x4 toHalf = Matrix4x4.Translate(new Vector3(0.5f * cascade, 0f, 0f)) * Matrix4x4.Scale(new Vector3(0.5f, 1f, 1f));
             return toHalf * toUnit * projection * fromAbove;
         }
 
         // faded: how far the shadow has gone at the distance of the plane, which is about a metre from the camera everywhere.
-        void Place(MaterialPropertyBlock block, float source, float strength, int cascades, float faded)
+        private void Place(MaterialPropertyBlock block, float source, float strength, int cascades, float faded)
         {
             var nothing = new Matrix4x4 { m22 = 1f };
             Matrix4x4 second = cascades > 1 ? WorldToMap(1) : nothing;
@@ -179,7 +182,9 @@ namespace SphFluid.Tests
             }
             for (int cascade = 0; cascade < 4; cascade++)
                 for (int row = 0; row < 4; row++)
+                {
                     constants.SetPixel(4 * cascade + row, 0, (cascade == 0 ? WorldToMap(0) : cascade == 1 ? second : nothing).GetRow(row));
+                }
             constants.SetPixel(16, 0, new Color(0f, 0f, 0f, 0.25f * 0.25f));
             constants.SetPixel(17, 0, new Color(0f, 0f, 0f, 0.45f * 0.45f));
             constants.SetPixel(18, 0, Color.clear);
@@ -193,7 +198,7 @@ namespace SphFluid.Tests
             block.SetTexture("_FluidShadowConstants", constants);
         }
 
-        float[] Draw(Action<MaterialPropertyBlock> change)
+        private float[] Draw(Action<MaterialPropertyBlock> change)
         {
             SurfaceBuffers buffers = plane.Buffers;
             MaterialPropertyBlock block = Fill(buffers);
@@ -201,7 +206,8 @@ namespace SphFluid.Tests
             Color[] picture = SurfaceTestScene.Render(Size, fromAbove, Matrix4x4.Ortho(-0.5f, 0.5f, -0.5f, 0.5f, 0.1f, 10f), cmd =>
             {
                 cmd.SetGlobalVector("_WorldSpaceCameraPos", new Vector3(0f, Height, 0f));
-                cmd.DrawProceduralIndirect(buffers.Indices, Matrix4x4.identity, drawing.Material, 0, MeshTopology.Triangles, buffers.Arguments, 0, block);
+                cmd.DrawProceduralIndirect(buffers.Indices, Matrix4x4.identity, drawing.Material, 0, MeshTopology.Triangles,
+                    buffers.Arguments, 0, block);
             });
             return Array.ConvertAll(picture, p => p.g);
         }

@@ -8,11 +8,11 @@ namespace SphFluid.Tests
     /// <summary>Which light reaches the property block of a drawing.</summary>
     public sealed class SceneLightingTests
     {
-        readonly List<GameObject> made = new List<GameObject>();
-        bool linearIntensity;
-        Light sun;
-        AmbientMode ambientMode;
-        Color ambientLight;
+        private readonly List<GameObject> made = new List<GameObject>();
+        private bool linearIntensity;
+        private Light sun;
+        private AmbientMode ambientMode;
+        private Color ambientLight;
 
         [SetUp]
         public void SetUp()
@@ -27,8 +27,7 @@ namespace SphFluid.Tests
         [TearDown]
         public void TearDown()
         {
-            foreach (GameObject holder in made)
-                Object.DestroyImmediate(holder);
+            foreach (GameObject holder in made) Object.DestroyImmediate(holder);
             made.Clear();
             GraphicsSettings.lightsUseLinearIntensity = linearIntensity;
             RenderSettings.sun = sun;
@@ -44,7 +43,8 @@ namespace SphFluid.Tests
             NewLight(LightType.Point, 100f, Quaternion.identity);
 
             MaterialPropertyBlock properties = Apply();
-            Assert.Less(Vector3.Distance(new Vector3(-1f, 0f, 0f), properties.GetVector("_FluidLightDirection")), 1e-5f, "against the light's forward axis");
+            Assert.Less(Vector3.Distance(new Vector3(-1f, 0f, 0f), properties.GetVector("_FluidLightDirection")), 1e-5f,
+                "against the light's forward axis");
             Assert.AreEqual(SceneLighting.ColourOf(brightest), properties.GetVector("_FluidLightColour"));
 
             brightest.enabled = false;
@@ -70,7 +70,8 @@ namespace SphFluid.Tests
             Assert.Less(Vector3.Distance(Vector3.up, Apply().GetVector("_FluidLightDirection")), 1e-5f);
 
             RenderSettings.sun.enabled = false;
-            Assert.Less(Vector3.Distance(Vector3.back, Apply().GetVector("_FluidLightDirection")), 1e-5f, "a sun that is off does not count");
+            Assert.Less(Vector3.Distance(Vector3.back, Apply().GetVector("_FluidLightDirection")), 1e-5f,
+                "a sun that is off does not count");
         }
 
         [Test]
@@ -91,7 +92,9 @@ namespace SphFluid.Tests
         public void IntensityFollowsThePipeline(bool linear, float expected)
         {
             if (QualitySettings.activeColorSpace != ColorSpace.Linear)
+            {
                 Assert.Ignore("The project is in gamma colour space, where the intensity is a plain factor.");
+            }
             GraphicsSettings.lightsUseLinearIntensity = linear;
             Light light = NewLight(LightType.Directional, 0.5f, Quaternion.identity);
             light.color = Color.white;
@@ -106,8 +109,7 @@ namespace SphFluid.Tests
             Vector4[] ambient = Apply().GetVectorArray("_FluidAmbient");
             SphericalHarmonicsL2 probe = RenderSettings.ambientProbe;
             Assert.AreEqual(7, ambient.Length);
-            for (int c = 0; c < 3; c++)
-                Assert.AreEqual(probe[c, 0] - probe[c, 6], ambient[c].w, 1e-6f);
+            for (int c = 0; c < 3; c++) Assert.AreEqual(probe[c, 0] - probe[c, 6], ambient[c].w, 1e-6f);
         }
 
         // As Unity 6 leaves it where the scene has no lighting data.
@@ -146,8 +148,7 @@ namespace SphFluid.Tests
             var probe = new SphericalHarmonicsL2();
             for (int c = 0; c < 3; c++)
             {
-                for (int i = 0; i < 9; i++)
-                    probe[c, i] = 10f * c + i;
+                for (int i = 0; i < 9; i++) probe[c, i] = 10f * c + i;
             }
             var packed = new Vector4[7];
             SceneLighting.Pack(probe, packed);
@@ -157,14 +158,14 @@ namespace SphFluid.Tests
             Assert.AreEqual(new Vector4(8f, 18f, 28f, 1f), packed[6]);
         }
 
-        static MaterialPropertyBlock Apply()
+        private static MaterialPropertyBlock Apply()
         {
             var properties = new MaterialPropertyBlock();
             new SceneLighting().Apply(properties);
             return properties;
         }
 
-        Light NewLight(LightType type, float intensity, Quaternion rotation)
+        private Light NewLight(LightType type, float intensity, Quaternion rotation)
         {
             var holder = new GameObject("Light");
             made.Add(holder);

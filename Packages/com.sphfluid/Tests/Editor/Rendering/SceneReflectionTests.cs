@@ -7,11 +7,11 @@ namespace SphFluid.Tests
     /// <summary>Which reflection map reaches the property block of a drawing.</summary>
     public sealed class SceneReflectionTests
     {
-        static readonly Bounds Liquid = new Bounds(new Vector3(1f, 0f, 0f), Vector3.one);
+        private static readonly Bounds Liquid = new Bounds(new Vector3(1f, 0f, 0f), Vector3.one);
 
-        GameObject holder;
-        Cubemap map;
-        Cubemap other;
+        private GameObject holder;
+        private Cubemap map;
+        private Cubemap other;
 
         [SetUp]
         public void SetUp()
@@ -68,8 +68,7 @@ namespace SphFluid.Tests
             MaterialPropertyBlock properties = Apply(1f);
             bool hasSky = ReflectionProbe.defaultTexture != null && ReflectionProbe.defaultTexture.dimension == TextureDimension.Cube;
             Assert.AreEqual(hasSky ? 1f : 0f, properties.GetVector("_FluidReflection").x);
-            if (hasSky)
-                Assert.AreSame(ReflectionProbe.defaultTexture, properties.GetTexture("_FluidReflectionMap"));
+            if (hasSky) Assert.AreSame(ReflectionProbe.defaultTexture, properties.GetTexture("_FluidReflectionMap"));
         }
 
         // Its map is black where it was never baked; the shader then takes the ambient light.
@@ -118,14 +117,14 @@ namespace SphFluid.Tests
             Assert.AreEqual(level, Apply(smoothness).GetVector("_FluidReflection").y, 1e-3f);
         }
 
-        static MaterialPropertyBlock Apply(float smoothness)
+        private static MaterialPropertyBlock Apply(float smoothness)
         {
             var properties = new MaterialPropertyBlock();
             new SceneReflection().Apply(properties, Liquid, smoothness);
             return properties;
         }
 
-        ReflectionProbe NewProbe(Cubemap shown, Vector3 position, float size, int importance)
+        private ReflectionProbe NewProbe(Cubemap shown, Vector3 position, float size, int importance)
         {
             var made = new GameObject("Probe");
             made.transform.SetParent(holder.transform);

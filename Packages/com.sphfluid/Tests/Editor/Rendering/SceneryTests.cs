@@ -6,28 +6,32 @@ using UnityEngine.Rendering;
 
 namespace SphFluid.Tests
 {
-    /// <summary>The samples' shader in the Built-in pipeline, against its formulas in double precision, its shadows and further lights.</summary>
+    /// <summary>
+    /// The samples' shader in the Built-in pipeline, against its formulas in double precision, its shadows and further lights.
+    /// </summary>
     public sealed class SceneryTests
     {
-        const string ShaderPath = "Packages/com.sphfluid/Shaders/Rendering/Scenery.shader";
-        const int Size = 33;
+        private const string ShaderPath = "Packages/com.sphfluid/Shaders/Rendering/Scenery.shader";
+        private const int Size = 33;
 
-        readonly List<Object> made = new List<Object>();
-        readonly Color colour = new Color(0.8f, 0.5f, 0.3f);
-        AmbientMode ambientMode;
-        Color ambientLight;
-        Light sun;
-        Camera camera;
-        Light lamp;
-        Material material;
-        Renderer wall;
+        private readonly List<Object> made = new List<Object>();
+        private readonly Color colour = new Color(0.8f, 0.5f, 0.3f);
+        private AmbientMode ambientMode;
+        private Color ambientLight;
+        private Light sun;
+        private Camera camera;
+        private Light lamp;
+        private Material material;
+        private Renderer wall;
 
         [SetUp]
         public void SetUp()
         {
             GpuTest.Require();
             if (GraphicsSettings.currentRenderPipeline != null || QualitySettings.activeColorSpace != ColorSpace.Linear)
+            {
                 Assert.Ignore("The formulas are those of the Built-in pipeline in linear colours.");
+            }
             (ambientMode, ambientLight, sun) = (RenderSettings.ambientMode, RenderSettings.ambientLight, RenderSettings.sun);
             RenderSettings.ambientMode = AmbientMode.Flat;
             RenderSettings.ambientLight = Color.black;
@@ -176,7 +180,8 @@ namespace SphFluid.Tests
                     double white = squares
                         ? 0.5 - 0.5 * Mean(x, Pixel, at => System.Math.Floor(at / Tile) % 2.0 == 0.0 ? 1.0 : -1.0)
                             * Mean(y, Pixel, at => System.Math.Floor(at / Tile) % 2.0 == 0.0 ? 1.0 : -1.0)
-                        : Mean(x, Pixel, at => IsGrout(at, Tile, Grout) ? 0.0 : 1.0) * Mean(y, Pixel, at => IsGrout(at, Tile, Grout) ? 0.0 : 1.0);
+                        : Mean(x, Pixel, at => IsGrout(at, Tile, Grout) ? 0.0 : 1.0) *
+                            Mean(y, Pixel, at => IsGrout(at, Tile, Grout) ? 0.0 : 1.0);
                     Assert.AreEqual(white, seen[column, row], 0.01, $"at {x:F3}, {y:F3}");
                 }
             }
@@ -197,14 +202,18 @@ namespace SphFluid.Tests
             material.SetColor("_FadeColor", new Color(0.2f, 0.4f, 0.9f));
             material.SetFloat("_FadeDistance", 4f);
             Color seen = Centre(), fading = new Color(0.2f, 0.4f, 0.9f).linear;
-            for (int c = 0; c < 3; c++) Assert.AreEqual((1.0 - System.Math.Exp(-0.25)) * fading[c], seen[c], 2e-3, "2 of 4 m away, itself black");
+            for (int c = 0; c < 3; c++)
+            {
+                Assert.AreEqual((1.0 - System.Math.Exp(-0.25)) * fading[c], seen[c], 2e-3, "2 of 4 m away, itself black");
+            }
             material.SetFloat("_FadeDistance", 0f);
             Assert.AreEqual(0f, Centre().b, 1e-4f);
         }
 
-        static bool IsGrout(double at, double tile, double grout) => System.Math.Abs(at - tile * System.Math.Round(at / tile)) < 0.5 * grout;
+        private static bool IsGrout(double at, double tile, double grout) =>
+            System.Math.Abs(at - tile * System.Math.Round(at / tile)) < 0.5 * grout;
 
-        static double Mean(double centre, double width, System.Func<double, double> value)
+        private static double Mean(double centre, double width, System.Func<double, double> value)
         {
             const int Samples = 400;
             double sum = 0.0;
@@ -213,7 +222,7 @@ namespace SphFluid.Tests
         }
 
         // The wall in even white ambient light. The camera stands a little off a corner, so that no pixel lies on an edge by chance.
-        void Tiles(double edge, double grout, Color first, Color second, Color between)
+        private void Tiles(double edge, double grout, Color first, Color second, Color between)
         {
             lamp.enabled = false;
             RenderSettings.ambientLight = Color.white;
@@ -226,7 +235,7 @@ namespace SphFluid.Tests
         }
 
         // What is left of white ambient light without the share that is mirrored.
-        double[,] Albedos()
+        private double[,] Albedos()
         {
             var albedos = new double[Size, Size];
             Texture2D picture = Picture();
@@ -236,7 +245,7 @@ namespace SphFluid.Tests
             return albedos;
         }
 
-        Light NewLight(LightType type, Color light)
+        private Light NewLight(LightType type, Color light)
         {
             Light added = Keep(new GameObject("Further light")).AddComponent<Light>();
             (added.type, added.color, added.renderMode, added.shadows) = (type, light, LightRenderMode.ForcePixel, LightShadows.None);
@@ -244,12 +253,13 @@ namespace SphFluid.Tests
         }
 
         // Seen straight on: normal and view are the same. Pi is left out, as in Unity's light colours.
-        static double Reflection(double albedo, double smoothness, Vector3 light)
+        private static double Reflection(double albedo, double smoothness, Vector3 light)
         {
             Vector3 normal = Vector3.back;
             double lit = System.Math.Max(0.0, Vector3.Dot(normal, light));
             Vector3 between = (light + normal).normalized;
-            double facing = System.Math.Max(0.0, Vector3.Dot(normal, between)), grazing = 1.0 - System.Math.Max(0.0, Vector3.Dot(light, between));
+            double facing = System.Math.Max(0.0, Vector3.Dot(normal, between)),
+                grazing = 1.0 - System.Math.Max(0.0, Vector3.Dot(light, between));
             double roughness = System.Math.Max((1.0 - smoothness) * (1.0 - smoothness), 0.002), squared = roughness * roughness;
             double distribution = squared / System.Math.Pow(facing * facing * (squared - 1.0) + 1.0, 2.0);
             double visibility = 0.5 / (lit + lit * (1.0 - roughness) + roughness);
@@ -257,7 +267,7 @@ namespace SphFluid.Tests
             return (albedo * 0.96 + fresnel * distribution * visibility) * lit;
         }
 
-        Color Centre()
+        private Color Centre()
         {
             Texture2D picture = Picture();
             Color seen = picture.GetPixel(Size / 2, Size / 2);
@@ -265,7 +275,7 @@ namespace SphFluid.Tests
             return seen;
         }
 
-        Texture2D Picture()
+        private Texture2D Picture()
         {
             camera.Render();
             RenderTexture before = RenderTexture.active;
@@ -277,14 +287,14 @@ namespace SphFluid.Tests
             return picture;
         }
 
-        GameObject NewThing(PrimitiveType type)
+        private GameObject NewThing(PrimitiveType type)
         {
             GameObject thing = Keep(GameObject.CreatePrimitive(type));
             thing.GetComponent<Renderer>().sharedMaterial = material;
             return thing;
         }
 
-        T Keep<T>(T thing) where T : Object
+        private T Keep<T>(T thing) where T : Object
         {
             made.Add(thing);
             return thing;

@@ -9,21 +9,23 @@ namespace SphFluid.Tests
     /// <summary>The samples' sky as the scene's skybox in the Built-in pipeline, direction by direction against its formulas.</summary>
     public sealed class SkyTests
     {
-        const string ShaderPath = "Packages/com.sphfluid/Shaders/Rendering/Sky.shader";
-        const int Size = 33;
+        private const string ShaderPath = "Packages/com.sphfluid/Shaders/Rendering/Sky.shader";
+        private const int Size = 33;
 
-        readonly List<Object> made = new List<Object>();
-        readonly Vector3 toSun = new Vector3(0.48f, 0.6f, 0.64f);
-        Material skybox, material;
-        Light sun;
-        Camera camera;
+        private readonly List<Object> made = new List<Object>();
+        private readonly Vector3 toSun = new Vector3(0.48f, 0.6f, 0.64f);
+        private Material skybox, material;
+        private Light sun;
+        private Camera camera;
 
         [SetUp]
         public void SetUp()
         {
             GpuTest.Require();
             if (GraphicsSettings.currentRenderPipeline != null || QualitySettings.activeColorSpace != ColorSpace.Linear)
+            {
                 Assert.Ignore("The formulas are those of the Built-in pipeline in linear colours.");
+            }
             (skybox, sun) = (RenderSettings.skybox, RenderSettings.sun);
             material = Keep(new Material(AssetDatabase.LoadAssetAtPath<Shader>(ShaderPath)));
             material.SetFloat("_CloudCover", 0f);
@@ -119,7 +121,7 @@ namespace SphFluid.Tests
             Assert.Greater(last, 0.99f);
         }
 
-        float Glow(Vector3 direction)
+        private float Glow(Vector3 direction)
         {
             material.SetFloat("_Glow", 1f);
             float with = Seen(direction).g;
@@ -127,9 +129,9 @@ namespace SphFluid.Tests
             return with - Seen(direction).g;
         }
 
-        Color Seen(Vector3 direction) => Picture(direction)[Size * Size / 2];
+        private Color Seen(Vector3 direction) => Picture(direction)[Size * Size / 2];
 
-        Color[] Picture(Vector3 direction)
+        private Color[] Picture(Vector3 direction)
         {
             camera.transform.rotation = Quaternion.LookRotation(direction);
             camera.Render();
@@ -144,7 +146,7 @@ namespace SphFluid.Tests
             return pixels;
         }
 
-        T Keep<T>(T thing) where T : Object
+        private T Keep<T>(T thing) where T : Object
         {
             made.Add(thing);
             return thing;

@@ -4,12 +4,14 @@ using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>Where drops of spray are drawn: after the water, or into the picture that the water refracts; never in both of a pixel.</summary>
+    /// <summary>
+    /// Where drops of spray are drawn: after the water, or into the picture that the water refracts; never in both of a pixel.
+    /// </summary>
     public sealed class SprayDrawingTests
     {
-        const float Spacing = 0.1f;
+        private const float Spacing = 0.1f;
 
-        WaterRig rig;
+        private WaterRig rig;
 
         [SetUp]
         public void SetUp()
@@ -48,12 +50,13 @@ namespace SphFluid.Tests
             Assert.IsFalse(IsShown(rig.RenderSpray(new Vector3(0f, 0f, 0.6f), Spacing, behind: true)));
         }
 
-        void Shows(float z, bool after, bool refracted)
+        private void Shows(float z, bool after, bool refracted)
         {
             Assert.AreEqual(after, IsShown(rig.RenderSpray(new Vector3(0f, 0f, z), Spacing, behind: false)), "after the water");
-            Assert.AreEqual(refracted, IsShown(rig.RenderSpray(new Vector3(0f, 0f, z), Spacing, behind: true)), "into the picture that the water refracts");
+            Assert.AreEqual(refracted, IsShown(rig.RenderSpray(new Vector3(0f, 0f, z), Spacing, behind: true)),
+                "into the picture that the water refracts");
         }
 
-        static bool IsShown(Color[] picture) => picture.Any(pixel => pixel.a > 0.01f);
+        private static bool IsShown(Color[] picture) => picture.Any(pixel => pixel.a > 0.01f);
     }
 }

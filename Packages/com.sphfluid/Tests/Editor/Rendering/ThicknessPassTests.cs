@@ -9,21 +9,23 @@ namespace SphFluid.Tests
     /// <summary>The thickness picture against lines cut with boxes and balls on the CPU.</summary>
     public sealed class ThicknessPassTests
     {
-        const int Size = 33;
-        const float Distance = 2f;
+        private const int Size = 33;
+        private const float Distance = 2f;
 
-        static readonly Vector3 Eye = new Vector3(0f, 0f, -Distance);
-        static readonly Matrix4x4 Perspective = Matrix4x4.Perspective(40f, 1f, 0.05f, 10f);
-        static readonly Matrix4x4 Parallel = Matrix4x4.Ortho(-0.8f, 0.8f, -0.8f, 0.8f, 0.05f, 10f);
+        private static readonly Vector3 Eye = new Vector3(0f, 0f, -Distance);
+        private static readonly Matrix4x4 Perspective = Matrix4x4.Perspective(40f, 1f, 0.05f, 10f);
+        private static readonly Matrix4x4 Parallel = Matrix4x4.Ortho(-0.8f, 0.8f, -0.8f, 0.8f, 0.05f, 10f);
 
-        FluidShaderSet shaders;
+        private FluidShaderSet shaders;
 
         [SetUp]
         public void SetUp()
         {
             shaders = SurfaceTestScene.LoadShaders();
             if (!SystemInfo.SupportsBlendingOnRenderTextureFormat(RenderTextureFormat.RGHalf))
+            {
                 Assert.Ignore("The device does not blend half floats.");
+            }
         }
 
         [TestCase(false)]
@@ -75,8 +77,7 @@ namespace SphFluid.Tests
             {
                 Color[] picture = Measure(box, Parallel, new Vector2Int(view, view), true, new RectInt(0, 0, expected, expected));
                 Assert.AreEqual(expected * expected, picture.Length);
-                foreach (Color pixel in picture)
-                    Assert.AreEqual(0.5f, pixel.r, 0.005f);
+                foreach (Color pixel in picture) Assert.AreEqual(0.5f, pixel.r, 0.005f);
             }
         }
 
@@ -91,7 +92,10 @@ namespace SphFluid.Tests
                 for (int y = 0; y < 30; y++)
                 {
                     for (int x = 0; x < 40; x++)
-                        Assert.AreEqual(x >= 10 && x < 20 && y >= 8 && y < 16 ? 0.5f : 0f, picture[y * 40 + x].r, 0.005f, $"pixel {x}, {y}");
+                    {
+                        Assert.AreEqual(x >= 10 && x < 20 && y >= 8 && y < 16 ? 0.5f : 0f, picture[y * 40 + x].r, 0.005f,
+                            $"pixel {x}, {y}");
+                    }
                 }
             }
         }
@@ -110,18 +114,18 @@ namespace SphFluid.Tests
             }
         }
 
-        void Compare(UploadedSurface surface, bool parallel, Func<Ray, float> span)
+        private void Compare(UploadedSurface surface, bool parallel, Func<Ray, float> span)
         {
             using (surface)
             {
-                Color[] picture = Measure(surface, parallel ? Parallel : Perspective, Vector2Int.one * Size, false, new RectInt(0, 0, Size, Size));
+                Color[] picture =
+                    Measure(surface, parallel ? Parallel : Perspective, Vector2Int.one * Size, false, new RectInt(0, 0, Size, Size));
                 int covered = 0;
                 for (int i = 0; i < picture.Length; i++)
                 {
                     Ray ray = RayOf(i % Size, i / Size, parallel);
                     float expected = span(ray) * ray.direction.z;
-                    if (expected < 0.15f)
-                        continue;
+                    if (expected < 0.15f) continue;
                     covered++;
                     Assert.AreEqual(expected, picture[i].r, 0.01f * expected, $"pixel {i % Size}, {i / Size}");
                     Assert.AreEqual(0f, picture[i].g, 1e-3f);
@@ -130,7 +134,7 @@ namespace SphFluid.Tests
             }
         }
 
-        Color[] Measure(UploadedSurface surface, Matrix4x4 projection, Vector2Int view, bool half, RectInt part)
+        private Color[] Measure(UploadedSurface surface, Matrix4x4 projection, Vector2Int view, bool half, RectInt part)
         {
             using (var pass = new ThicknessPass(shaders))
             {
@@ -139,10 +143,11 @@ namespace SphFluid.Tests
             }
         }
 
-        static Color[] Read(ThicknessPass pass, Matrix4x4 projection, Vector2Int view, RectInt part)
+        private static Color[] Read(ThicknessPass pass, Matrix4x4 projection, Vector2Int view, RectInt part)
         {
             GpuTest.Run(cmd => pass.Record(cmd, SurfaceTestScene.LookAtOrigin(Eye), projection, view));
-            RenderTexture copy = RenderTexture.GetTemporary(pass.Texture.width, pass.Texture.height, 0, RenderTextureFormat.ARGBFloat, RenderTextureReadWrite.Linear);
+            RenderTexture copy = RenderTexture.GetTemporary(pass.Texture.width, pass.Texture.height, 0, RenderTextureFormat.ARGBFloat,
+                RenderTextureReadWrite.Linear);
             var picture = new Texture2D(part.width, part.height, TextureFormat.RGBAFloat, false, true);
             RenderTexture before = RenderTexture.active;
             try
@@ -161,19 +166,18 @@ namespace SphFluid.Tests
             }
         }
 
-        static DrawPlacement Placement() => new DrawPlacement(Matrix4x4.identity, Vector3.one, 0f, 0, false);
+        private static DrawPlacement Placement() => new DrawPlacement(Matrix4x4.identity, Vector3.one, 0f, 0, false);
 
         // Through the middle of a pixel; the camera looks along z.
-        static Ray RayOf(int x, int y, bool parallel)
+        private static Ray RayOf(int x, int y, bool parallel)
         {
             var across = new Vector2((x + 0.5f) / Size * 2f - 1f, (y + 0.5f) / Size * 2f - 1f);
-            if (parallel)
-                return new Ray(Eye + (Vector3)(across * 0.8f), Vector3.forward);
+            if (parallel) return new Ray(Eye + (Vector3)(across * 0.8f), Vector3.forward);
             across *= Mathf.Tan(20f * Mathf.Deg2Rad);
             return new Ray(Eye, new Vector3(across.x, across.y, 1f));
         }
 
-        static float BoxSpan(Ray ray, Vector3 centre, Vector3 size)
+        private static float BoxSpan(Ray ray, Vector3 centre, Vector3 size)
         {
             float entry = 0f, exit = float.PositiveInfinity;
             for (int axis = 0; axis < 3; axis++)
@@ -181,8 +185,7 @@ namespace SphFluid.Tests
                 float offset = centre[axis] - ray.origin[axis], half = 0.5f * size[axis];
                 if (ray.direction[axis] == 0f)
                 {
-                    if (Mathf.Abs(offset) > half)
-                        return 0f;
+                    if (Mathf.Abs(offset) > half) return 0f;
                     continue;
                 }
                 float a = (offset - half) / ray.direction[axis], b = (offset + half) / ray.direction[axis];
@@ -192,7 +195,7 @@ namespace SphFluid.Tests
             return Mathf.Max(exit - entry, 0f);
         }
 
-        static float BallSpan(Ray ray, Vector3 centre, float radius)
+        private static float BallSpan(Ray ray, Vector3 centre, float radius)
         {
             Vector3 offset = centre - ray.origin;
             float along = Vector3.Dot(offset, ray.direction);

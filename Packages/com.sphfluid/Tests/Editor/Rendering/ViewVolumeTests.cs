@@ -6,8 +6,8 @@ namespace SphFluid.Tests
     /// <summary>What counts as seen by a camera.</summary>
     public sealed class ViewVolumeTests
     {
-        GameObject holder;
-        Camera camera;
+        private GameObject holder;
+        private Camera camera;
 
         [SetUp]
         public void SetUp()

@@ -6,9 +6,9 @@ namespace SphFluid.Tests
     /// <summary>The picture of a camera in the water, against Beer's law and the law of refraction.</summary>
     public sealed class WaterFromWithinTests
     {
-        const int Size = WaterRig.Size;
+        private const int Size = WaterRig.Size;
 
-        WaterRig rig;
+        private WaterRig rig;
 
         [SetUp]
         public void SetUp() => rig = new WaterRig();
@@ -24,7 +24,9 @@ namespace SphFluid.Tests
             rig.SetDepth((x, y) => 1.5f);
             Color seen = WaterRig.Centre(rig.Render(fromWithin: true));
             for (int c = 0; c < 3; c++)
+            {
                 Assert.AreEqual(rig.Scene.GetPixel(0, 0)[c] * Mathf.Exp(-1.5f * rig.Look.Extinction[c]), seen[c], 2e-3f, $"channel {c}");
+            }
         }
 
         [Test]
@@ -33,10 +35,14 @@ namespace SphFluid.Tests
             Fill(new Vector3(0f, 0f, 1f));
             Color seen = WaterRig.Centre(rig.Render(fromWithin: true));
             for (int c = 0; c < 3; c++)
-                Assert.AreEqual(rig.Scene.GetPixel(0, 0)[c] * 0.98f * Mathf.Exp(-2f * rig.Look.Extinction[c]), seen[c], 3e-3f, $"channel {c}");
+            {
+                Assert.AreEqual(rig.Scene.GetPixel(0, 0)[c] * 0.98f * Mathf.Exp(-2f * rig.Look.Extinction[c]), seen[c], 3e-3f,
+                    $"channel {c}");
+            }
         }
 
-        // At 0.7 rad to the normal in the water, 0.93 times the critical sine, light leaves at asin(1.333 sin 0.7). Out there it goes on to the scene, 0.3 m behind.
+        // At 0.7 rad to the normal in the water, 0.93 times the critical sine, light leaves at asin(1.333 sin 0.7). Out there it goes on to
+        // the scene, 0.3 m behind.
         [Test]
         public void TheWindowBendsByTheLawOfRefraction()
         {
@@ -88,15 +94,15 @@ namespace SphFluid.Tests
         }
 
         // Water from behind the camera to the origin, where a face of any normal ends it.
-        void Fill(Vector3 normal)
+        private void Fill(Vector3 normal)
         {
             rig.Domain = new Bounds(Vector3.zero, Vector3.one * 8f);
             rig.Surface = new UploadedSurface().Quad(Vector3.zero, Vector3.right * 3.9f, Vector3.up * 3.9f, normal);
         }
 
         // Leans to the left, away from the camera.
-        static Vector3 Normal(float angle) => new Vector3(-Mathf.Sin(angle), 0f, Mathf.Cos(angle));
+        private static Vector3 Normal(float angle) => new Vector3(-Mathf.Sin(angle), 0f, Mathf.Cos(angle));
 
-        static float Fresnel(float cosine) => 0.02f + 0.98f * Mathf.Pow(1f - cosine, 5f);
+        private static float Fresnel(float cosine) => 0.02f + 0.98f * Mathf.Pow(1f - cosine, 5f);
     }
 }

@@ -6,16 +6,16 @@ namespace SphFluid.Tests
     /// <summary>Which place of the scene is seen through water, against the law of refraction.</summary>
     public sealed class WaterRefractionTests
     {
-        const int Size = WaterRig.Size;
-        const float Passing = 0.98f; // at normal incidence 2 % is mirrored
-        const float Tilt = 0.5f;     // of the front's normal, in radians, to the right
+        private const int Size = WaterRig.Size;
+        private const float Passing = 0.98f; // at normal incidence 2 % is mirrored
+        private const float Tilt = 0.5f;     // of the front's normal, in radians, to the right
 
         // In water light makes asin(0.75 sin 0.5) with that normal: it is turned to the left by the difference.
-        static readonly float Turned = Tilt - Mathf.Asin(0.75f * Mathf.Sin(Tilt));
+        private static readonly float Turned = Tilt - Mathf.Asin(0.75f * Mathf.Sin(Tilt));
 
-        static readonly Vector3 Tilted = new Vector3(Mathf.Sin(Tilt), 0f, -Mathf.Cos(Tilt));
+        private static readonly Vector3 Tilted = new Vector3(Mathf.Sin(Tilt), 0f, -Mathf.Cos(Tilt));
 
-        WaterRig rig;
+        private WaterRig rig;
 
         [SetUp]
         public void SetUp()
@@ -75,10 +75,13 @@ namespace SphFluid.Tests
         {
             rig.Look.ColorAtOneMetre = new Color(0.3f, 0.6f, 0.8f);
             rig.ReplaceScene((x, y) => Color.white);
-            rig.Surface = new UploadedSurface().Box(Vector3.zero, new Vector3(4f, 4f, 0.4f)).Box(new Vector3(0f, 0f, 1.4f), new Vector3(4f, 4f, 0.3f));
+            rig.Surface = new UploadedSurface().Box(Vector3.zero, new Vector3(4f, 4f, 0.4f))
+                .Box(new Vector3(0f, 0f, 1.4f), new Vector3(4f, 4f, 0.3f));
             Color seen = WaterRig.Centre(rig.Render());
             for (int c = 0; c < 3; c++)
+            {
                 Assert.AreEqual(Mathf.Exp(-0.7f * rig.Look.Extinction[c]), seen[c] / Passing, 3e-3f, $"channel {c}");
+            }
         }
 
         // A thing in front of the water must not be smeared into it.
@@ -127,8 +130,8 @@ namespace SphFluid.Tests
             Assert.AreEqual(0.5f - 0.25f / (2f * WaterRig.HalfWidth), seen.r / Passing, 0.012f);
         }
 
-        // A film of 5 mm on a pane of a tank full of air, whose bumps let light graze the pane: what the pane mirrors has gone through the film
-        // twice, not through the tank.
+        // A film of 5 mm on a pane of a tank full of air, whose bumps let light graze the pane: what the pane mirrors has gone through the
+        // film twice, not through the tank.
         [Test]
         public void AFilmOnAPaneIsClear([Values] FluidWaterQuality quality, [Values(0.2f, 0.35f, 0.5f, 0.8f)] float bump)
         {
@@ -139,24 +142,25 @@ namespace SphFluid.Tests
             rig.Domain = new Bounds(Vector3.zero, Vector3.one);
             rig.Eye = new Vector3(-1f, 0f, -2f);
             rig.Surface = new UploadedSurface()
-                .Quad(new Vector3(0.495f, 0f, 0f), Vector3.up * 0.5f, Vector3.back * 0.5f, new Vector3(-Mathf.Cos(bump), 0f, -Mathf.Sin(bump)))
+                .Quad(new Vector3(0.495f, 0f, 0f), Vector3.up * 0.5f, Vector3.back * 0.5f,
+                    new Vector3(-Mathf.Cos(bump), 0f, -Mathf.Sin(bump)))
                 .Quad(new Vector3(0.5f, 0f, 0f), Vector3.back * 0.5f, Vector3.up * 0.5f, Vector3.right);
             Color[] clear = rig.Render(block => block.SetVector("_FluidExtinction", Vector4.zero));
             Color[] film = rig.Render();
             int seen = 0;
             for (int i = 0; i < film.Length; i++)
             {
-                if (clear[i].a < 0.5f || clear[i].r < 0.1f)
-                    continue;
+                if (clear[i].a < 0.5f || clear[i].r < 0.1f) continue;
                 seen++;
                 Assert.Greater(film[i].r, 0.9f * clear[i].r, $"pixel {i % Size}, {i / Size}");
             }
             Assert.Greater(seen, 200, "pixels of the film");
         }
 
-        static void AssertShifted(float metres, Color seen) =>
-            Assert.AreEqual(PlaceAt(Size / 2) - metres * Mathf.Sin(Turned) / (2f * WaterRig.HalfWidth), seen.r / Passing, 0.006f, "to the left");
+        private static void AssertShifted(float metres, Color seen) =>
+            Assert.AreEqual(PlaceAt(Size / 2) - metres * Mathf.Sin(Turned) / (2f * WaterRig.HalfWidth), seen.r / Passing, 0.006f,
+                "to the left");
 
-        static float PlaceAt(int pixel) => (pixel + 0.5f) / Size;
+        private static float PlaceAt(int pixel) => (pixel + 0.5f) / Size;
     }
 }

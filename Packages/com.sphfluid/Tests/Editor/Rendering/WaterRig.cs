@@ -6,7 +6,7 @@ using Object = UnityEngine.Object;
 namespace SphFluid.Tests
 {
     /// <summary>Water of known shape, drawn by a parallel camera before a scene of known colours and depths.</summary>
-    sealed class WaterRig : IDisposable
+    internal sealed class WaterRig : IDisposable
     {
         public const int Size = 64;
         public const float HalfWidth = 0.5f;
@@ -19,12 +19,12 @@ namespace SphFluid.Tests
         public const int ForwardPass = 0;
         public const int ShadowPass = 1;
 
-        static readonly Matrix4x4 Parallel = Matrix4x4.Ortho(-HalfWidth, HalfWidth, -HalfWidth, HalfWidth, Near, Far);
+        private static readonly Matrix4x4 Parallel = Matrix4x4.Ortho(-HalfWidth, HalfWidth, -HalfWidth, HalfWidth, Near, Far);
 
-        readonly WaterDrawing water = new WaterDrawing(SurfaceTestScene.LoadShaders());
-        Vector3 eye = new Vector3(0f, 0f, -Distance);
-        UploadedSurface surface;
-        Texture2D depth;
+        private readonly WaterDrawing water = new WaterDrawing(SurfaceTestScene.LoadShaders());
+        private Vector3 eye = new Vector3(0f, 0f, -Distance);
+        private UploadedSurface surface;
+        private Texture2D depth;
 
         public WaterRig()
         {
@@ -32,7 +32,10 @@ namespace SphFluid.Tests
             depth = NewTexture((x, y) => Color.clear);
         }
 
-        public FluidWaterLook Look { get; } = new FluidWaterLook { ColorAtOneMetre = new Color(0.3f, 0.6f, 0.8f), Visibility = 8f, Refraction = 1f };
+        public FluidWaterLook Look
+        {
+            get;
+        } = new FluidWaterLook { ColorAtOneMetre = new Color(0.3f, 0.6f, 0.8f), Visibility = 8f, Refraction = 1f };
 
         /// <summary>The picture behind the water.</summary>
         public Texture2D Scene { get; private set; }
@@ -93,7 +96,8 @@ namespace SphFluid.Tests
         /// <param name="pass">Of the water's shader.</param>
         /// <param name="background">What the picture is cleared to.</param>
         /// <param name="fromWithin">Whether the camera is in the water.</param>
-        public Color[] Render(Action<MaterialPropertyBlock> change = null, int pass = ForwardPass, Color background = default, bool fromWithin = false)
+        public Color[] Render(Action<MaterialPropertyBlock> change = null, int pass = ForwardPass, Color background = default,
+            bool fromWithin = false)
         {
             DrawPlacement placement = Placement;
             SurfaceBuffers buffers = surface.Buffers;
@@ -115,7 +119,8 @@ namespace SphFluid.Tests
             return Draw(cmd =>
             {
                 cmd.ClearRenderTarget(false, true, background);
-                cmd.DrawProceduralIndirect(buffers.Indices, Matrix4x4.identity, material, pass, MeshTopology.Triangles, buffers.Arguments, 0, block);
+                cmd.DrawProceduralIndirect(buffers.Indices, Matrix4x4.identity, material, pass, MeshTopology.Triangles,
+                    buffers.Arguments, 0, block);
             });
         }
 
@@ -148,9 +153,9 @@ namespace SphFluid.Tests
             }
         }
 
-        DrawPlacement Placement => new DrawPlacement(Matrix4x4.identity, Domain.size, 0f, 0, false);
+        private DrawPlacement Placement => new DrawPlacement(Matrix4x4.identity, Domain.size, 0f, 0, false);
 
-        Color[] Draw(Action<CommandBuffer> record)
+        private Color[] Draw(Action<CommandBuffer> record)
         {
             Matrix4x4 view = SurfaceTestScene.LookAtOrigin(eye);
             GpuTest.Run(cmd => water.Thickness.Record(cmd, view, Parallel, Vector2Int.one * Size));
@@ -172,11 +177,10 @@ namespace SphFluid.Tests
             Object.DestroyImmediate(depth);
         }
 
-        static Texture2D NewTexture(Func<int, int, Color> colour)
+        private static Texture2D NewTexture(Func<int, int, Color> colour)
         {
             var made = new Texture2D(Size, Size, TextureFormat.RGBAFloat, false, true) { wrapMode = TextureWrapMode.Clamp };
-            for (int i = 0; i < Size * Size; i++)
-                made.SetPixel(i % Size, i / Size, colour(i % Size, i / Size));
+            for (int i = 0; i < Size * Size; i++) made.SetPixel(i % Size, i / Size, colour(i % Size, i / Size));
             made.Apply();
             return made;
         }

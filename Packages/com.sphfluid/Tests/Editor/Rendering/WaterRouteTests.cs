@@ -26,7 +26,9 @@ namespace SphFluid.Tests
             foreach (string field in FluidSurfaceRendererEditor.Hidden((FluidSurfaceLook)look))
             {
                 if (field != "m_Script")
+                {
                     Assert.IsNotNull(typeof(FluidSurfaceRenderer).GetField(field, BindingFlags.Instance | BindingFlags.NonPublic), field);
+                }
             }
         }
 

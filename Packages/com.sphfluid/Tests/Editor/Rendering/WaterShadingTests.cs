@@ -9,11 +9,11 @@ namespace SphFluid.Tests
     /// <summary>Colours of water before a background of known colours, against the formulas they come from.</summary>
     public sealed class WaterShadingTests
     {
-        const int Size = WaterRig.Size;
-        const float Reflectance = 0.02f;
+        private const int Size = WaterRig.Size;
+        private const float Reflectance = 0.02f;
 
-        WaterRig rig;
-        Cubemap mirror;
+        private WaterRig rig;
+        private Cubemap mirror;
 
         [SetUp]
         public void SetUp() => rig = new WaterRig();
@@ -22,8 +22,7 @@ namespace SphFluid.Tests
         public void TearDown()
         {
             rig.Dispose();
-            if (mirror != null)
-                Object.DestroyImmediate(mirror);
+            if (mirror != null) Object.DestroyImmediate(mirror);
         }
 
         // 0.4 m of water straight on: exp(-extinction x 0.4 m) of 98 % of the background, no other light.
@@ -33,7 +32,10 @@ namespace SphFluid.Tests
             rig.Box(0.4f);
             Color pixel = WaterRig.Centre(rig.Render());
             for (int c = 0; c < 3; c++)
-                Assert.AreEqual(rig.Scene.GetPixel(0, 0)[c] * Mathf.Exp(-0.4f * rig.Look.Extinction[c]) * (1f - Reflectance), pixel[c], 2e-3f, $"channel {c}");
+            {
+                Assert.AreEqual(rig.Scene.GetPixel(0, 0)[c] * Mathf.Exp(-0.4f * rig.Look.Extinction[c]) * (1f - Reflectance), pixel[c],
+                    2e-3f, $"channel {c}");
+            }
             Assert.AreEqual(1f, pixel.a, 1e-4f);
         }
 
@@ -45,7 +47,10 @@ namespace SphFluid.Tests
             rig.SetDepth((x, y) => WaterRig.Distance - 0.2f + 0.1f);
             Color pixel = WaterRig.Centre(rig.Render());
             for (int c = 0; c < 3; c++)
-                Assert.AreEqual(rig.Scene.GetPixel(0, 0)[c] * Mathf.Exp(-0.1f * rig.Look.Extinction[c]) * (1f - Reflectance), pixel[c], 2e-3f, $"channel {c}");
+            {
+                Assert.AreEqual(rig.Scene.GetPixel(0, 0)[c] * Mathf.Exp(-0.1f * rig.Look.Extinction[c]) * (1f - Reflectance), pixel[c],
+                    2e-3f, $"channel {c}");
+            }
         }
 
         [Test]
@@ -115,8 +120,7 @@ namespace SphFluid.Tests
             rig.Box(0.4f);
             Color pixel = WaterRig.Centre(rig.Render(block => block.SetVector("_FluidScene", Vector4.zero)));
             float left = 0f;
-            for (int c = 0; c < 3; c++)
-                left += Mathf.Exp(-0.4f * rig.Look.Extinction[c]) / 3f;
+            for (int c = 0; c < 3; c++) left += Mathf.Exp(-0.4f * rig.Look.Extinction[c]) / 3f;
             Assert.AreEqual(1f - left * (1f - Reflectance), pixel.a, 2e-3f);
         }
 
@@ -141,27 +145,24 @@ namespace SphFluid.Tests
             Color[] picture = rig.Render(null, WaterRig.ShadowPass, Color.white);
             for (int y = 0; y < 9; y++)
             {
-                for (int x = 0; x < 9; x++)
-                    covered += picture[y * Size + x].r < 0.5f ? 1 : 0;
+                for (int x = 0; x < 9; x++) covered += picture[y * Size + x].r < 0.5f ? 1 : 0;
             }
             Assert.AreEqual(9 * ofNine, covered);
         }
 
-        static void AmbientOfOne(MaterialPropertyBlock block)
+        private static void AmbientOfOne(MaterialPropertyBlock block)
         {
             var ambient = new Vector4[7];
-            for (int c = 0; c < 3; c++)
-                ambient[c] = new Vector4(0f, 0f, 0f, 1f);
+            for (int c = 0; c < 3; c++) ambient[c] = new Vector4(0f, 0f, 0f, 1f);
             block.SetVectorArray("_FluidAmbient", ambient);
         }
 
-        static Cubemap NewCube(CubemapFace lit, Color colour)
+        private static Cubemap NewCube(CubemapFace lit, Color colour)
         {
             var made = new Cubemap(4, TextureFormat.RGBAFloat, false);
             for (int face = 0; face < 6; face++)
             {
-                for (int i = 0; i < 16; i++)
-                    made.SetPixel((CubemapFace)face, i % 4, i / 4, face == (int)lit ? colour : Color.black);
+                for (int i = 0; i < 16; i++) made.SetPixel((CubemapFace)face, i % 4, i / 4, face == (int)lit ? colour : Color.black);
             }
             made.Apply();
             return made;

@@ -10,7 +10,8 @@ namespace SphFluid.Tests
         [TestCase("", 0x00000000u)]
         [TestCase("a", 0xE8B7BE43u)]
         [TestCase("123456789", 0xCBF43926u)]
-        public void KnownChecksAreMet(string text, uint expected) => Assert.That(Crc32.Compute(Encoding.ASCII.GetBytes(text)), Is.EqualTo(expected));
+        public void KnownChecksAreMet(string text, uint expected) =>
+        Assert.That(Crc32.Compute(Encoding.ASCII.GetBytes(text)), Is.EqualTo(expected));
 
         [Test]
         public void EveryLengthAndEveryCutGiveWhatTheDefinitionGives()
@@ -21,11 +22,14 @@ namespace SphFluid.Tests
             {
                 uint expected = ByDefinition(bytes, length);
                 for (int cut = 0; cut <= length; cut++)
-                    Assert.That(Crc32.Compute(new ReadOnlySpan<byte>(bytes, cut, length - cut), Crc32.Compute(new ReadOnlySpan<byte>(bytes, 0, cut))), Is.EqualTo(expected), $"{cut} of {length}");
+                {
+                    Assert.That(Crc32.Compute(new ReadOnlySpan<byte>(bytes, cut, length - cut),
+                        Crc32.Compute(new ReadOnlySpan<byte>(bytes, 0, cut))), Is.EqualTo(expected), $"{cut} of {length}");
+                }
             }
         }
 
-        static uint ByDefinition(byte[] bytes, int length)
+        private static uint ByDefinition(byte[] bytes, int length)
         {
             uint crc = 0xFFFFFFFFu;
             for (int bit = 0; bit < 8 * length; bit++)

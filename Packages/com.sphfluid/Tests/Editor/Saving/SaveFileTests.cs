@@ -11,9 +11,9 @@ namespace SphFluid.Tests
     /// <summary>The container of a save: whole, or refused.</summary>
     public sealed class SaveFileTests
     {
-        static readonly (string name, int size)[] Parts = { ("ABOUT", 0), ("PARTICLE", 1000), ("PACE", 1), ("FLOATS", 2_000_003) };
+        private static readonly (string name, int size)[] Parts = { ("ABOUT", 0), ("PARTICLE", 1000), ("PACE", 1), ("FLOATS", 2_000_003) };
 
-        static List<(string name, SaveWriter contents)> Sections((string name, int size)[] parts)
+        private static List<(string name, SaveWriter contents)> Sections((string name, int size)[] parts)
         {
             var random = new System.Random(5);
             var sections = new List<(string, SaveWriter)>();
@@ -28,7 +28,7 @@ namespace SphFluid.Tests
             return sections;
         }
 
-        static byte[] Written(List<(string name, SaveWriter contents)> sections)
+        private static byte[] Written(List<(string name, SaveWriter contents)> sections)
         {
             var stream = new MemoryStream();
             SaveFile.Write(stream, sections);
@@ -49,7 +49,10 @@ namespace SphFluid.Tests
         {
             byte[] whole = Written(Sections(Parts.Take(3).ToArray()));
             for (int length = 0; length < whole.Length; length++)
-                Assert.That(() => SaveFile.Read(new MemoryStream(whole, 0, length)), Throws.TypeOf<InvalidDataException>(), $"{length} of {whole.Length} bytes");
+            {
+                Assert.That(() => SaveFile.Read(new MemoryStream(whole, 0, length)), Throws.TypeOf<InvalidDataException>(),
+                    $"{length} of {whole.Length} bytes");
+            }
         }
 
         [Test]
@@ -95,20 +98,22 @@ namespace SphFluid.Tests
             writer.Write(count);
             writer.Write(0L);
             writer.Write(0L);
-            Assert.That(() => new SaveReader("TEST", writer.Bytes.ToArray(), null).ReadItems<long>(), Throws.TypeOf<InvalidDataException>());
+            Assert.That(() => new SaveReader("TEST", writer.Bytes.ToArray(), null).ReadItems<long>(),
+                Throws.TypeOf<InvalidDataException>());
         }
 
         [Test]
         public void ChecksAndHashesAreThoseOfTheirStandards()
         {
             Assert.That(Crc32.Compute(Encoding.ASCII.GetBytes("123456789")), Is.EqualTo(0xCBF43926u));
-            Assert.That(Crc32.Compute(Encoding.ASCII.GetBytes("6789"), Crc32.Compute(Encoding.ASCII.GetBytes("12345"))), Is.EqualTo(0xCBF43926u));
+            Assert.That(Crc32.Compute(Encoding.ASCII.GetBytes("6789"), Crc32.Compute(Encoding.ASCII.GetBytes("12345"))),
+                Is.EqualTo(0xCBF43926u));
             Assert.That(StateHash.Compute(new ReadOnlySpan<byte>(Encoding.ASCII.GetBytes("a"))), Is.EqualTo(0xAF63DC4C8601EC8Cul));
             Assert.That(StateHash.Compute(new ReadOnlySpan<byte>(Encoding.ASCII.GetBytes("foobar"))), Is.EqualTo(0x85944171F73967E8ul));
         }
 
         // Gives few bytes at a time, as a network does.
-        sealed class Dribble : MemoryStream
+        private sealed class Dribble : MemoryStream
         {
             public Dribble(byte[] bytes) : base(bytes)
             {

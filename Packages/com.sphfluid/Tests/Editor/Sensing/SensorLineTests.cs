@@ -7,8 +7,8 @@ namespace SphFluid.Tests
     /// <summary>Where the points of a level are, and the level that densities on them make.</summary>
     public sealed class SensorLineTests
     {
-        const float Spacing = 0.05f;
-        static readonly Vector3 Domain = new Vector3(2f, 1f, 2f);
+        private const float Spacing = 0.05f;
+        private static readonly Vector3 Domain = new Vector3(2f, 1f, 2f);
 
         [Test]
         public void PointsAreHalfASpacingApartOrLess()

@@ -7,9 +7,9 @@ namespace SphFluid.Tests
     /// <summary>When and where an emitter's layers leave its nozzle.</summary>
     public sealed class EmitterRunTests
     {
-        const float Spacing = 0.02f;
+        private const float Spacing = 0.02f;
 
-        static EmitterSpec Nozzle(FluidEmitterShape shape, float width, float height, float speed) => new EmitterSpec
+        private static EmitterSpec Nozzle(FluidEmitterShape shape, float width, float height, float speed) => new EmitterSpec
         {
             State = new EmitterState { IsOn = true },
             Rotation = Quaternion.identity,
@@ -18,7 +18,7 @@ namespace SphFluid.Tests
             Amount = speed,
         };
 
-        static FluidSpec Liquid() => new FluidSpec { Spacing = Spacing, Rotation = Quaternion.identity };
+        private static FluidSpec Liquid() => new FluidSpec { Spacing = Spacing, Rotation = Quaternion.identity };
 
         // Rate n dx³ U / layer distance = A U: nothing is rounded away.
         [TestCase(FluidEmitterShape.Disc, 0.1f, 0.1f)]
@@ -31,18 +31,23 @@ namespace SphFluid.Tests
         {
             EmitterSpec nozzle = Nozzle(shape, width, height, 1f);
             EmitterSites sites = EmitterSites.For(nozzle, Spacing);
-            double area = shape == FluidEmitterShape.Disc ? Mathf.PI / 4f * width * height : shape == FluidEmitterShape.Line ? width * Spacing : width * height;
+            double area = shape == FluidEmitterShape.Disc ? Mathf.PI / 4f * width * height : shape == FluidEmitterShape.Line
+                ? width * Spacing : width * height;
             Assert.That(sites.LayerDistance, Is.GreaterThanOrEqualTo(0.999 * Spacing));
             Assert.That(sites.Places.Length * System.Math.Pow(Spacing, 3) / sites.LayerDistance, Is.EqualTo(area).Within(1e-4).Percent);
             for (int i = 0; i < sites.Places.Length; i++)
             {
                 Vector3 place = sites.Places[i];
-                Assert.That(Mathf.Abs(place.x), Is.LessThanOrEqualTo(0.5f * width + 0.5f * Spacing), "no place is farther out than half a spacing");
+                Assert.That(Mathf.Abs(place.x), Is.LessThanOrEqualTo(0.5f * width + 0.5f * Spacing),
+                    "no place is farther out than half a spacing");
                 if (shape != FluidEmitterShape.Line) Assert.That(Mathf.Abs(place.y), Is.LessThanOrEqualTo(0.5f * height + 0.5f * Spacing));
                 for (int k = 0; k < i; k++) Assert.That((place - sites.Places[k]).magnitude, Is.GreaterThan(0.999f * Spacing));
             }
             if (shape == FluidEmitterShape.Rectangle && width == 0.1f)
-                Assert.That(sites.Places.Max(p => Mathf.Abs(p.x)), Is.EqualTo(0.04f).Within(1e-6f), "a nozzle of 5 x 3 cells holds their centres");
+            {
+                Assert.That(sites.Places.Max(p => Mathf.Abs(p.x)), Is.EqualTo(0.04f).Within(1e-6f),
+                    "a nozzle of 5 x 3 cells holds their centres");
+            }
         }
 
         [Test]
@@ -65,7 +70,9 @@ namespace SphFluid.Tests
             // At rest in free fall of none, a layer is where its time put it.
             births.CollectDue(time, 0f, Vector3.zero);
             for (int i = 0; i < births.Due.Length && i < 2 * (int)(time / period); i++)
+            {
                 Assert.That(births.Due[i].Position.z, Is.EqualTo(1.7 * (time - i / 2 * period)).Within(1e-5), $"layer {i / 2}");
+            }
         }
 
         [Test]

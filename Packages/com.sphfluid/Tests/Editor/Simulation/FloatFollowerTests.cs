@@ -7,7 +7,7 @@ namespace SphFluid.Tests
     /// <summary>A body of the scene's physics after one of the GPU that is known some frames late.</summary>
     public sealed class FloatFollowerTests
     {
-        const float Frame = 1f / 60f;
+        private const float Frame = 1f / 60f;
 
         // The GPU's body bobs and spins; PhysX gets the acceleration of the frame that is known.
         [TestCase(1)]
@@ -85,7 +85,7 @@ namespace SphFluid.Tests
             Assert.That(follower.Correct(away, 7 + FloatFollower.Memory).Displacement, Is.EqualTo(Vector3.zero), "after a restart");
         }
 
-        static FloatingPose Moved(in FloatingPose pose, Vector3 displacement, Vector3 turn) => new FloatingPose(
+        private static FloatingPose Moved(in FloatingPose pose, Vector3 displacement, Vector3 turn) => new FloatingPose(
             pose.Centre + displacement, Quaternion.AngleAxis(turn.magnitude * Mathf.Rad2Deg, turn.normalized) * pose.Rotation);
     }
 }

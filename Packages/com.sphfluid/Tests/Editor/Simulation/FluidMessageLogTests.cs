@@ -19,8 +19,10 @@ namespace SphFluid.Tests
         [Test]
         public void AMessageStaysOneLineWhateverIsInIt()
         {
-            string line = new FluidMessage(FluidSeverity.Info, FluidIssue.NoLiquid, null, "Two\nlines and " + new string('x', 1_000_000), "A\tcure.").ToString();
-            Assert.That(line, Does.StartWith("[SPH Fluid] 'SPH Fluid': Two lines and xx").And.EndsWith("x… A cure.").And.Length.LessThan(4000));
+            string line = new FluidMessage(FluidSeverity.Info, FluidIssue.NoLiquid, null, "Two\nlines and " + new string('x', 1_000_000),
+                "A\tcure.").ToString();
+            Assert.That(line,
+                Does.StartWith("[SPH Fluid] 'SPH Fluid': Two lines and xx").And.EndsWith("x… A cure.").And.Length.LessThan(4000));
         }
 
         [Test]
@@ -45,8 +47,8 @@ namespace SphFluid.Tests
             Assert.That(Texts(log), Is.EqualTo(new[] { "One.", "Three.", "Two.", "Four." }));
         }
 
-        static string[] Texts(FluidMessageLog log) => log.All.Select(m => m.Text).ToArray();
+        private static string[] Texts(FluidMessageLog log) => log.All.Select(m => m.Text).ToArray();
 
-        static FluidMessage Message(string text) => new FluidMessage(FluidSeverity.Info, FluidIssue.MethodChoice, null, text, "");
+        private static FluidMessage Message(string text) => new FluidMessage(FluidSeverity.Info, FluidIssue.MethodChoice, null, text, "");
     }
 }

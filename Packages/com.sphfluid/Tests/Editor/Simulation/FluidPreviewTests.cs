@@ -8,12 +8,12 @@ namespace SphFluid.Tests
     /// <summary>What is shown of a start before it: filled once, again after a change, evenly chosen points, the places of leaks.</summary>
     public sealed class FluidPreviewTests
     {
-        SimulationRig rig;
-        FluidSimulation simulation;
-        FluidVolume volume;
-        PreviewMemory memory;
-        List<FluidMessage> messages;
-        double now;
+        private SimulationRig rig;
+        private FluidSimulation simulation;
+        private FluidVolume volume;
+        private PreviewMemory memory;
+        private List<FluidMessage> messages;
+        private double now;
 
         [SetUp]
         public void SetUp()
@@ -47,13 +47,17 @@ namespace SphFluid.Tests
             Look();
             double layers = memory.Preview.Depth / memory.Preview.Constants.Spacing;
             double depth = 64.0 * System.Math.Pow(simulation.Spacing, 3.0) / simulation.DomainSize.x / simulation.DomainSize.z;
-            Dictionary<string, string> text = SphFluid.Editor.DomainText.Before(simulation, memory.Preview).Lines.ToDictionary(l => l.Label, l => l.Value);
+            Dictionary<string, string> text =
+                SphFluid.Editor.DomainText.Before(simulation, memory.Preview).Lines.ToDictionary(l => l.Label, l => l.Value);
             double steps = 2.0 / 60.0 / SphFluid.Editor.TimeStepText.StepOf(simulation, memory.Preview.Constants);
 
             Assert.That(memory.Preview.Depth, Is.EqualTo(depth).Within(1e-4 * depth));
-            Assert.That(text["Error class"], Is.EqualTo(SphFluid.Editor.ErrorClass.Describe(simulation.Method, simulation.Profile.SupportRatio, layers)));
-            Assert.That(text["Half the spacing"], Does.StartWith(System.FormattableString.Invariant($"512 particles, {steps:0.#} steps a frame"))
-                .And.Contain("class " + SphFluid.Editor.ErrorClass.Describe(simulation.Method, simulation.Profile.SupportRatio, 2.0 * layers)));
+            Assert.That(text["Error class"],
+                Is.EqualTo(SphFluid.Editor.ErrorClass.Describe(simulation.Method, simulation.Profile.SupportRatio, layers)));
+            Assert.That(text["Half the spacing"],
+                Does.StartWith(System.FormattableString.Invariant($"512 particles, {steps:0.#} steps a frame"))
+                .And.Contain("class " +
+                    SphFluid.Editor.ErrorClass.Describe(simulation.Method, simulation.Profile.SupportRatio, 2.0 * layers)));
         }
 
         [Test]
@@ -63,7 +67,8 @@ namespace SphFluid.Tests
             Look();
 
             Assert.That(memory.Preview.Depth, Is.Zero);
-            Assert.That(SphFluid.Editor.DomainText.Before(simulation, memory.Preview).Lines.Single(l => l.Label == "Error class").Value, Does.StartWith("none: without gravity"));
+            Assert.That(SphFluid.Editor.DomainText.Before(simulation, memory.Preview).Lines.Single(l => l.Label == "Error class").Value,
+                Does.StartWith("none: without gravity"));
         }
 
         [Test]
@@ -150,7 +155,9 @@ namespace SphFluid.Tests
             const int side = 30, most = 1000;
             var particles = new List<FluidParticle>();
             for (int i = 0; i < side * side * side; i++)
+            {
                 particles.Add(new FluidParticle(new Vector3(i % side, i / side % side, i / (side * side)), Vector3.zero, (uint)i));
+            }
             var points = new FillPoints(particles, most);
             Assert.That((points.Total, points.Shown.Count), Is.EqualTo((side * side * side, most)));
             Assert.That(points.Shown.Distinct().Count(), Is.EqualTo(most));
@@ -163,7 +170,8 @@ namespace SphFluid.Tests
         [Test]
         public void FewPointsAreAllShown([Values(0, 1, 2, 3, 7)] int count)
         {
-            var particles = Enumerable.Range(0, count).Select(i => new FluidParticle(new Vector3(i, 0f, 0f), Vector3.zero, (uint)i)).ToList();
+            var particles = Enumerable.Range(0, count).Select(i => new FluidParticle(new Vector3(i, 0f, 0f), Vector3.zero, (uint)i))
+                .ToList();
             Assert.That(new FillPoints(particles, 7).Shown.Select(p => p.x), Is.EqualTo(Enumerable.Range(0, count)));
             Assert.That(new FillPoints(particles, 2).Shown.Distinct().Count(), Is.EqualTo(Mathf.Min(count, 2)));
         }
@@ -201,24 +209,25 @@ namespace SphFluid.Tests
             Assert.That(memory.IsRelaxed, Is.False);
         }
 
-        bool Look() => memory.Look(simulation.Spec, FluidScene.Volumes(simulation), now, null, ref messages);
+        private bool Look() => memory.Look(simulation.Spec, FluidScene.Volumes(simulation), now, null, ref messages);
 
-        static bool Slow(double seconds)
+        private static bool Slow(double seconds)
         {
             System.Threading.Thread.Sleep((int)(1000.0 * PreviewMemory.Quick));
             return true;
         }
 
-        SpawnResult Filled()
+        private SpawnResult Filled()
         {
             using (var collision = new CollisionScene())
             {
                 FluidSpec spec = simulation.Spec;
-                var shapes = LiquidChecks.Shapes(spec, FluidScene.Volumes(simulation), collision, new List<FluidMessage>()).ConvertAll(f => f.shape);
+                var shapes = LiquidChecks.Shapes(spec, FluidScene.Volumes(simulation), collision, new List<FluidMessage>())
+                    .ConvertAll(f => f.shape);
                 return FluidSpawner.Fill(SpawnRequests.For(spec, shapes, collision));
             }
         }
 
-        static (float, float, float) Order(Vector3 p) => (p.x, p.y, p.z);
+        private static (float, float, float) Order(Vector3 p) => (p.x, p.y, p.z);
     }
 }

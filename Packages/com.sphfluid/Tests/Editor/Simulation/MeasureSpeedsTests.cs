@@ -9,9 +9,9 @@ namespace SphFluid.Tests
     /// <summary>MeasureSpeeds against counts in double precision.</summary>
     public sealed class MeasureSpeedsTests
     {
-        static readonly Vector3 Domain = new Vector3(0.62f, 0.5f, 0.54f);
+        private static readonly Vector3 Domain = new Vector3(0.62f, 0.5f, 0.54f);
 
-        FluidShaderSet shaders;
+        private FluidShaderSet shaders;
 
         [SetUp]
         public void SetUp() => shaders = TestShaders.CreateSet();
@@ -35,7 +35,8 @@ namespace SphFluid.Tests
             double lowest = LowestByLattice(settings);
             uint[] counts = Measure(settings, particles);
             AssertCounts(counts, SpeedCounts.Speeds, particles.Select(p => Square(p.VelT0)).ToArray());
-            AssertCounts(counts, SpeedCounts.Heads, particles.Select(p => Square(p.VelT0) + 2.0 * (Potential(settings, p.Position) - lowest)).ToArray());
+            AssertCounts(counts, SpeedCounts.Heads,
+                particles.Select(p => Square(p.VelT0) + 2.0 * (Potential(settings, p.Position) - lowest)).ToArray());
             Assert.That(counts.Skip(SpeedCounts.Distances).Take(SpeedCounts.Bins), Is.All.Zero, "no places were kept");
         }
 
@@ -150,7 +151,8 @@ namespace SphFluid.Tests
             {
                 var pass = new MeasureSpeedsPass(shaders);
                 var random = new System.Random(3);
-                float[] density = Enumerable.Range(0, count).Select(i => i % 7 == 3 ? float.NaN : solver.Settings.RestDensity * (0.5f + 2f * (float)random.NextDouble())).ToArray();
+                float[] density = Enumerable.Range(0, count)
+                    .Select(i => i % 7 == 3 ? float.NaN : solver.Settings.RestDensity * (0.5f + 2f * (float)random.NextDouble())).ToArray();
                 GpuTest.Run(cmd =>
                 {
                     solver.RecordNeighbourSetup(cmd);
@@ -158,11 +160,12 @@ namespace SphFluid.Tests
                     pass.Record(cmd, solver, counts);
                 });
                 double expected = density.Sum(d => d > solver.Settings.RestDensity ? d / solver.Settings.RestDensity - 1.0 : 0.0) / count;
-                Assert.That(SpeedSample.Evaluate(GpuTest.Read<uint>(counts, SpeedCounts.Size), 0).Compression, Is.EqualTo(expected).Within(1.0 / 64.0 * ((count + 255) / 256) / count + 1e-4));
+                Assert.That(SpeedSample.Evaluate(GpuTest.Read<uint>(counts, SpeedCounts.Size), 0).Compression,
+                    Is.EqualTo(expected).Within(1.0 / 64.0 * ((count + 255) / 256) / count + 1e-4));
             }
         }
 
-        uint[] Measure(in FluidSolverSettings settings, FluidParticle[] particles)
+        private uint[] Measure(in FluidSolverSettings settings, FluidParticle[] particles)
         {
             FluidParticle[] start = particles.Select(p => new FluidParticle(p.Position, Vector3.zero, p.Id)).ToArray();
             using (var solver = new FluidSolver(settings, shaders, start))
@@ -176,7 +179,7 @@ namespace SphFluid.Tests
         }
 
         // The pass reads what was published; here a test puts its own there.
-        static void Record(FluidSolver solver, FluidParticle[] particles, Action<CommandBuffer> record)
+        private static void Record(FluidSolver solver, FluidParticle[] particles, Action<CommandBuffer> record)
         {
             GpuTest.Run(solver.RecordNeighbourSetup);
             solver.Particles.SetData(particles);
@@ -184,7 +187,7 @@ namespace SphFluid.Tests
         }
 
         // A square next to a bin's edge may be rounded into either.
-        static void AssertCounts(uint[] counts, int kind, double[] squares, double rounding = 2e-5)
+        private static void AssertCounts(uint[] counts, int kind, double[] squares, double rounding = 2e-5)
         {
             Assert.That(counts.Skip(kind).Take(SpeedCounts.Bins).Sum(c => c), Is.EqualTo(squares.Length));
             long found = 0;
@@ -197,14 +200,14 @@ namespace SphFluid.Tests
             }
         }
 
-        static FluidParticle[] Spread(int count)
+        private static FluidParticle[] Spread(int count)
         {
             FluidParticle[] particles = ParticleSets.Random(count, Domain, 1f, 12);
             for (int i = 0; i < count; i++) particles[i].VelT0 *= Mathf.Pow(10f, i % 9 - 5);
             return particles;
         }
 
-        static FluidSolverSettings Settings()
+        private static FluidSolverSettings Settings()
         {
             FluidRuleInput input = FluidRuleInput.Water;
             input.DomainSize = Domain;
@@ -215,15 +218,17 @@ namespace SphFluid.Tests
             return FluidRules.Derive(input);
         }
 
-        static double Potential(in FluidSolverSettings settings, Double3 x)
+        private static double Potential(in FluidSolverSettings settings, Double3 x)
         {
-            Double3 centre = (Double3)settings.BodyForce.Centre, rate = (Double3)settings.BodyForce.RateSquared, gravity = (Double3)settings.Gravity;
-            return 0.5 * (rate.X * Math.Pow(x.X - centre.X, 2) + rate.Y * Math.Pow(x.Y - centre.Y, 2) + rate.Z * Math.Pow(x.Z - centre.Z, 2)) -
+            Double3 centre = (Double3)settings.BodyForce.Centre, rate = (Double3)settings.BodyForce.RateSquared,
+                gravity = (Double3)settings.Gravity;
+            return 0.5 * (rate.X * Math.Pow(x.X - centre.X, 2) + rate.Y * Math.Pow(x.Y - centre.Y, 2) +
+                rate.Z * Math.Pow(x.Z - centre.Z, 2)) -
                 Double3.Dot(gravity, x);
         }
 
         // Each axis by itself, in 20,001 places.
-        static double LowestByLattice(in FluidSolverSettings settings)
+        private static double LowestByLattice(in FluidSolverSettings settings)
         {
             double lowest = 0.0;
             for (int axis = 0; axis < 3; axis++)
@@ -240,9 +245,9 @@ namespace SphFluid.Tests
             return lowest;
         }
 
-        static double Square(Vector3 v) => Double3.Dot(v, v);
+        private static double Square(Vector3 v) => Double3.Dot(v, v);
 
-        static double Distance(Vector3 a, Vector3 b)
+        private static double Distance(Vector3 a, Vector3 b)
         {
             double x = (double)a.x - b.x, y = (double)a.y - b.y, z = (double)a.z - b.z;
             x -= Domain.x * Math.Round(x / Domain.x);

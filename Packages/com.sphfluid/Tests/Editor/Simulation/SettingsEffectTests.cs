@@ -9,13 +9,17 @@ using Object = UnityEngine.Object;
 
 namespace SphFluid.Tests
 {
-    /// <summary>No field of a liquid's inspector can be forgotten: a change is in the key of the start, in that of the running liquid, or it is read otherwise.</summary>
+    /// <summary>
+    /// No field of a liquid's inspector can be forgotten: a change is in the key of the start, in that of the running liquid, or it is read
+    /// otherwise.
+    /// </summary>
     public sealed class SettingsEffectTests
     {
-        const BindingFlags Fields = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly;
+        private const BindingFlags Fields = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic |
+            BindingFlags.DeclaredOnly;
 
         /// <summary>Fields of simulations that no key has, each with what reads it.</summary>
-        static readonly Dictionary<string, string> ReadOtherwise = new Dictionary<string, string>
+        private static readonly Dictionary<string, string> ReadOtherwise = new Dictionary<string, string>
         {
             ["colliderLayers"] = "the collision scene reads it in each frame",
             ["paused"] = "the component reads it in each frame",
@@ -26,13 +30,13 @@ namespace SphFluid.Tests
         };
 
         /// <summary>Fields of profiles that change no liquid.</summary>
-        static readonly Dictionary<string, string> NoPartOfTheLiquid = new Dictionary<string, string>
+        private static readonly Dictionary<string, string> NoPartOfTheLiquid = new Dictionary<string, string>
         {
             ["version"] = "of the stored fields",
         };
 
-        FluidSimulation simulation;
-        FluidProfile profile, other;
+        private FluidSimulation simulation;
+        private FluidProfile profile, other;
 
         [SetUp]
         public void Create()
@@ -50,11 +54,11 @@ namespace SphFluid.Tests
             Object.DestroyImmediate(other);
         }
 
-        static IEnumerable<string> FieldsOfSimulations() => Leaves(typeof(FluidSimulationSettings)).Select(Name);
+        private static IEnumerable<string> FieldsOfSimulations() => Leaves(typeof(FluidSimulationSettings)).Select(Name);
 
-        static IEnumerable<string> FieldsOfProfiles() => Leaves(typeof(FluidProfile)).Select(Name);
+        private static IEnumerable<string> FieldsOfProfiles() => Leaves(typeof(FluidProfile)).Select(Name);
 
-        static IEnumerable<string> PropertiesOfProfiles() =>
+        private static IEnumerable<string> PropertiesOfProfiles() =>
             typeof(FluidProfile).GetProperties(Fields).Where(p => p.CanWrite && p.SetMethod.IsPublic).Select(p => p.Name);
 
         [TestCaseSource(nameof(FieldsOfSimulations))]
@@ -75,7 +79,8 @@ namespace SphFluid.Tests
                 Set(profile, path, v);
                 return Shown(profile.Spec) != before;
             });
-            Assert.That(reaches, Is.EqualTo(!NoPartOfTheLiquid.ContainsKey(name)), "a field belongs in FluidProfile.Spec, or in the list above");
+            Assert.That(reaches, Is.EqualTo(!NoPartOfTheLiquid.ContainsKey(name)),
+                "a field belongs in FluidProfile.Spec, or in the list above");
         }
 
         [TestCaseSource(nameof(PropertiesOfProfiles))]
@@ -93,7 +98,7 @@ namespace SphFluid.Tests
             Assert.That(Leaves(typeof(Example)).Select(Name), Is.EqualTo(new[] { "kept", "part.X", "Shown" }));
 
         /// <summary>Settings under which each field may act: one after another, the component as it is then.</summary>
-        IEnumerable<FluidMethodKind> Settings()
+        private IEnumerable<FluidMethodKind> Settings()
         {
             foreach (FluidMethodKind method in Enum.GetValues(typeof(FluidMethodKind)))
             {
@@ -105,7 +110,7 @@ namespace SphFluid.Tests
             }
         }
 
-        bool ChangesAKey(FieldInfo[] path)
+        private bool ChangesAKey(FieldInfo[] path)
         {
             object before = Value(simulation, path);
             FluidSpec spec = simulation.Spec;
@@ -121,7 +126,7 @@ namespace SphFluid.Tests
             return changes;
         }
 
-        IEnumerable<object> Others(Type type, object value)
+        private IEnumerable<object> Others(Type type, object value)
         {
             if (type == typeof(float)) return new object[] { (float)value + 0.01f, 0.5f * (float)value };
             if (type == typeof(int)) return new object[] { (int)value + 1, (int)value / 2 };
@@ -135,22 +140,27 @@ namespace SphFluid.Tests
         }
 
         /// <summary>Serialised fields, each as the fields that lead to it: those of serialised structs one by one.</summary>
-        static IEnumerable<FieldInfo[]> Leaves(Type type)
+        private static IEnumerable<FieldInfo[]> Leaves(Type type)
         {
             foreach (FieldInfo field in type.GetFields(Fields).OrderBy(f => f.MetadataToken))
             {
-                if (!field.IsPublic && field.GetCustomAttribute<SerializeField>() == null || field.GetCustomAttribute<NonSerializedAttribute>() != null) continue;
-                bool parted = field.FieldType.IsValueType && !field.FieldType.IsEnum && (field.FieldType.Namespace ?? "").StartsWith(nameof(SphFluid));
+                if (!field.IsPublic && field.GetCustomAttribute<SerializeField>() == null ||
+                    field.GetCustomAttribute<NonSerializedAttribute>() != null)
+                {
+                    continue;
+                }
+                bool parted = field.FieldType.IsValueType && !field.FieldType.IsEnum &&
+                    (field.FieldType.Namespace ?? "").StartsWith(nameof(SphFluid));
                 if (!parted) yield return new[] { field };
                 else foreach (FieldInfo[] inner in Leaves(field.FieldType)) yield return new[] { field }.Concat(inner).ToArray();
             }
         }
 
-        static string Name(FieldInfo[] path) => string.Join(".", path.Select(f => f.Name));
+        private static string Name(FieldInfo[] path) => string.Join(".", path.Select(f => f.Name));
 
-        static object Value(object owner, FieldInfo[] path) => path.Aggregate(owner, (of, field) => field.GetValue(of));
+        private static object Value(object owner, FieldInfo[] path) => path.Aggregate(owner, (of, field) => field.GetValue(of));
 
-        static void Set(object owner, FieldInfo[] path, object value)
+        private static void Set(object owner, FieldInfo[] path, object value)
         {
             object inner = path.Length == 1 ? value : path[0].GetValue(owner);
             if (path.Length > 1) Set(inner, path.Skip(1).ToArray(), value);
@@ -158,26 +168,30 @@ namespace SphFluid.Tests
         }
 
         /// <summary>All values of a spec but the count of its changes, structs in it too.</summary>
-        static string Shown(object value)
+        private static string Shown(object value)
         {
             if (value == null) return "null";
             Type type = value.GetType();
-            if (!type.IsValueType || type.IsPrimitive || type.IsEnum) return value is Object asset ? asset.GetInstanceID().ToString() : value is IEnumerable ? "" : value.ToString();
-            return string.Join(";", type.GetFields(Fields).Where(f => f.Name != nameof(ProfileSpec.Revision)).Select(f => Shown(f.GetValue(value))));
+            if (!type.IsValueType || type.IsPrimitive || type.IsEnum)
+            {
+                return value is Object asset ? asset.GetInstanceID().ToString() : value is IEnumerable ? "" : value.ToString();
+            }
+            return string.Join(";", type.GetFields(Fields).Where(f => f.Name != nameof(ProfileSpec.Revision))
+                .Select(f => Shown(f.GetValue(value))));
         }
 
-        sealed class Example
+        private sealed class Example
         {
             internal struct Part
             {
                 public float X;
             }
 
-            [SerializeField] float kept = 0f;
-            [SerializeField] Part part = default;
+            [SerializeField] private float kept = 0f;
+            [SerializeField] private Part part = default;
             public float Shown = 0f;
             [NonSerialized] public float Now = 0f;
-            readonly float own = 0f;
+            private readonly float own = 0f;
 
             public float Sum => kept + part.X + own;
         }

@@ -7,10 +7,10 @@ namespace SphFluid.Tests
     /// <summary>When a liquid counts as resting: samples go in, and the watch says when it sleeps.</summary>
     public sealed class SleepWatchTests
     {
-        const double Frame = 1.0 / 60.0;
-        const float Spacing = 0.025f;
+        private const double Frame = 1.0 / 60.0;
+        private const float Spacing = 0.025f;
 
-        int keepings, forgotten;
+        private int keepings, forgotten;
 
         [SetUp]
         public void SetUp() => keepings = forgotten = 0;
@@ -47,8 +47,10 @@ namespace SphFluid.Tests
         public void LiquidThatCreepsDoesNotSleep()
         {
             Assert.That(TimeToSleep(Watch(), _ => 0.003f, t => (float)(0.003 * (t - Kept))), Is.NaN, "3 mm/s");
-            Assert.That(TimeToSleep(Watch(), _ => 0.003f, t => (float)Math.Abs(0.001 * Math.Sin(5.0 * t))), Is.Not.NaN, "noise on the spot");
-            Assert.That(TimeToSleep(Watch(), _ => 0.0005f, t => (float)(0.0005 * (t - Kept))), Is.Not.NaN, "half a millimetre a second in water");
+            Assert.That(TimeToSleep(Watch(), _ => 0.003f, t => (float)Math.Abs(0.001 * Math.Sin(5.0 * t))), Is.Not.NaN,
+                "noise on the spot");
+            Assert.That(TimeToSleep(Watch(), _ => 0.0005f, t => (float)(0.0005 * (t - Kept))), Is.Not.NaN,
+                "half a millimetre a second in water");
             FluidSolverSettings honey = Settings(new Vector3(0f, -9.81f, 0f), 0.05f);
             Assert.That(TimeToSleep(new SleepWatch(honey, 0.18), _ => 0.0005f, t => (float)(0.0005 * (t - Kept))), Is.NaN, "and in honey");
             Assert.That(TimeToSleep(new SleepWatch(honey, 0.18), _ => 0f, _ => 0f), Is.Not.NaN);
@@ -58,9 +60,11 @@ namespace SphFluid.Tests
         public void AFewThatFindABetterPlaceKeepNothingAwakeAndAStreamDoes()
         {
             Func<double, float> still = t => 0.002f * (float)Math.Sqrt((t - Kept) / 3.0);
-            Assert.That(TimeToSleep(Watch(), _ => 0.1f, t => 0.01f * (float)Math.Sqrt((t - Kept) / 3.0), still), Is.Not.NaN, "0.4 dx in 3 s");
+            Assert.That(TimeToSleep(Watch(), _ => 0.1f, t => 0.01f * (float)Math.Sqrt((t - Kept) / 3.0), still), Is.Not.NaN,
+                "0.4 dx in 3 s");
             Assert.That(TimeToSleep(Watch(), _ => 0.1f, t => 0.01f * (float)(t - Kept), still), Is.NaN, "0.4 dx a second");
-            Assert.That(TimeToSleep(Watch(), _ => 0.1f, t => 0.006f * (float)(t - Kept) / 3f, t => 0.006f * (float)(t - Kept) / 3f), Is.NaN, "all go");
+            Assert.That(TimeToSleep(Watch(), _ => 0.1f, t => 0.006f * (float)(t - Kept) / 3f, t => 0.006f * (float)(t - Kept) / 3f),
+                Is.NaN, "all go");
         }
 
         [Test]
@@ -86,10 +90,11 @@ namespace SphFluid.Tests
             Assert.That(LiquidPotential.Acceleration(settings), Is.EqualTo(Math.Sqrt(3.6 * 3.6 + 0.6 * 0.6 + 0.8 * 0.8)).Within(1e-6));
         }
 
-        double Kept { get; set; }
+        private double Kept { get; set; }
 
         // Samples are three frames old, as in a running simulation; within a minute.
-        double TimeToSleep(SleepWatch watch, Func<double, float> speed, Func<double, float> distance, Func<double, float> half = null)
+        private double TimeToSleep(SleepWatch watch, Func<double, float> speed, Func<double, float> distance,
+            Func<double, float> half = null)
         {
             var samples = new SpeedSample[3];
             for (int i = 0; i < 3; i++) samples[i].Present = 1f;
@@ -111,21 +116,21 @@ namespace SphFluid.Tests
             return double.NaN;
         }
 
-        int Keep(ref int kept, double time)
+        private int Keep(ref int kept, double time)
         {
             Kept = time;
             return kept = ++keepings;
         }
 
-        void Forget(ref int kept)
+        private void Forget(ref int kept)
         {
             forgotten++;
             kept = 0;
         }
 
-        static SleepWatch Watch() => new SleepWatch(Settings(new Vector3(0f, -9.81f, 0f)), 0.18);
+        private static SleepWatch Watch() => new SleepWatch(Settings(new Vector3(0f, -9.81f, 0f)), 0.18);
 
-        static FluidSolverSettings Settings(Vector3 gravity, float viscosity = 1e-6f)
+        private static FluidSolverSettings Settings(Vector3 gravity, float viscosity = 1e-6f)
         {
             FluidRuleInput input = FluidRuleInput.Water;
             input.DomainSize = new Vector3(1.8f, 1.2f, 0.8f);

@@ -5,7 +5,7 @@ namespace SphFluid.Tests
 {
     public sealed class SpeedReferenceTests
     {
-        const double Frame = 1.0 / 60.0;
+        private const double Frame = 1.0 / 60.0;
 
         [Test]
         public void ItFallsSlowlyToTheMeasuredSpeed()

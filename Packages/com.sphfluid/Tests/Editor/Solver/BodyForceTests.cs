@@ -7,9 +7,9 @@ namespace SphFluid.Tests
     /// <summary>The force by position, a = −ω² (x − centre), and what it does to single particles.</summary>
     public sealed class BodyForceTests
     {
-        static readonly Vector3 Domain = new Vector3(4f, 3f, 5f);
-        static readonly Vector3 Rate = new Vector3(9f, 2.5f, -4f);
-        static readonly Vector3 Centre = new Vector3(0.1f, -0.2f, 0.3f);
+        private static readonly Vector3 Domain = new Vector3(4f, 3f, 5f);
+        private static readonly Vector3 Rate = new Vector3(9f, 2.5f, -4f);
+        private static readonly Vector3 Centre = new Vector3(0.1f, -0.2f, 0.3f);
 
         [TestCase(1)]
         [TestCase(255)]
@@ -64,7 +64,7 @@ namespace SphFluid.Tests
             }
         }
 
-        static FluidSolverSettings Settings()
+        private static FluidSolverSettings Settings()
         {
             FluidSolverSettings settings = TestSettings.ByRule(Domain, 0.05f);
             settings.Gravity = Vector3.zero;
@@ -72,7 +72,7 @@ namespace SphFluid.Tests
             return settings;
         }
 
-        static float[] Filled(int count, float value)
+        private static float[] Filled(int count, float value)
         {
             var array = new float[count];
             Array.Fill(array, value);

@@ -8,10 +8,10 @@ namespace SphFluid.Tests
     /// <summary>Steps of changing length: leapfrog stays exact for a fall, and equal steps are what they were.</summary>
     public sealed class ChangingStepTests
     {
-        static readonly Vector3 Domain = new Vector3(8f, 8f, 8f);
-        static readonly float[] Lengths = { 1f / 512f, 1f / 256f, 1f / 256f, 1f / 2048f, 3f / 1024f, 1f / 512f };
+        private static readonly Vector3 Domain = new Vector3(8f, 8f, 8f);
+        private static readonly float[] Lengths = { 1f / 512f, 1f / 256f, 1f / 256f, 1f / 2048f, 3f / 1024f, 1f / 512f };
 
-        FluidShaderSet shaders;
+        private FluidShaderSet shaders;
 
         [SetUp]
         public void CreateShaders() => shaders = TestShaders.CreateSet();
@@ -68,7 +68,8 @@ namespace SphFluid.Tests
             FluidSolverSettings settings = TestSettings.ByRule(0.4f * Vector3.one, 0.02f).With(switches);
             settings.Gravity = Vector3.zero;
             settings.RestDensity = 1f;
-            FluidParticle[] pair = { new FluidParticle(Vector3.zero, Vector3.zero, 0), new FluidParticle(new Vector3(1e-3f, 0f, 0f), Vector3.zero, 1) };
+            FluidParticle[] pair = { new FluidParticle(Vector3.zero, Vector3.zero, 0),
+                new FluidParticle(new Vector3(1e-3f, 0f, 0f), Vector3.zero, 1) };
             float[] speeds = new[] { 1f, 0.5f }.Select(part => Run(settings, pair,
                 (solver, i, cmd) => solver.RecordSteps(cmd, i == 0 ? 1 : 0, part * settings.TimeStep))[0].VelT0.magnitude).ToArray();
             float full = 0.5f * settings.Own<ThesisSettings>().AccelerationLimit * settings.TimeStep; // the first step gives half a kick
@@ -89,32 +90,27 @@ namespace SphFluid.Tests
             }
         }
 
-        static FluidSolverSettings Settings()
+        private static FluidSolverSettings Settings()
         {
             FluidSolverSettings settings = TestSettings.ByRule(Domain, 0.1f);
             settings.Gravity = new Vector3(0.5f, -9.75f, 2.25f);
             return settings;
         }
 
-        static FluidParticle[] Scattered()
+        private static FluidParticle[] Scattered()
         {
             FluidParticle[] start = ParticleSets.Lattice(new Vector3Int(3, 3, 3), 0.3f, 0.01f, 1);
-            for (int i = 0; i < start.Length; i++)
-            {
-                start[i].VelT0 = start[i].VelT1 = new Vector3(0.25f, 1f, -0.5f);
-            }
+            for (int i = 0; i < start.Length; i++) start[i].VelT0 = start[i].VelT1 = new Vector3(0.25f, 1f, -0.5f);
 
             return start;
         }
 
-        FluidParticle[] Run(in FluidSolverSettings settings, FluidParticle[] start, Action<FluidSolver, int, UnityEngine.Rendering.CommandBuffer> record)
+        private FluidParticle[] Run(in FluidSolverSettings settings, FluidParticle[] start,
+            Action<FluidSolver, int, UnityEngine.Rendering.CommandBuffer> record)
         {
             using (var solver = new FluidSolver(settings, shaders, start))
             {
-                for (int i = 0; i < 20; i++)
-                {
-                    GpuTest.Run(cmd => record(solver, i, cmd));
-                }
+                for (int i = 0; i < 20; i++) GpuTest.Run(cmd => record(solver, i, cmd));
 
                 return GpuTest.Read<FluidParticle>(solver.Particles, start.Length);
             }

@@ -7,7 +7,7 @@ namespace SphFluid.Tests
     /// <summary>Faces and forces that cannot be: each is refused by name, with a cure.</summary>
     public sealed class DomainSettingsTests
     {
-        static readonly Vector3 Along = new Vector3(1f, 0f, 0f);
+        private static readonly Vector3 Along = new Vector3(1f, 0f, 0f);
 
         [Test]
         public void WhatIsSoundPasses()
@@ -120,15 +120,12 @@ namespace SphFluid.Tests
             Assert.That(walls.IsDefault);
         }
 
-        static FluidSolverSettings Settings() => TestSettings.ByRule(Vector3.one, 0.05f);
+        private static FluidSolverSettings Settings() => TestSettings.ByRule(Vector3.one, 0.05f);
 
-        static void Refused(FluidSolverSettings settings, params string[] words)
+        private static void Refused(FluidSolverSettings settings, params string[] words)
         {
             var error = Assert.Throws<ArgumentException>(() => settings.Validate());
-            foreach (string word in words)
-            {
-                Assert.That(error.Message, Does.Contain(word));
-            }
+            foreach (string word in words) Assert.That(error.Message, Does.Contain(word));
         }
     }
 }

@@ -9,10 +9,10 @@ namespace SphFluid.Tests
     /// <summary>A kernel of someone else's reads a liquid by FluidBuffers and FluidBuffers.hlsl.</summary>
     public sealed class FluidBuffersTests
     {
-        static readonly Vector3 Domain = new Vector3(0.62f, 0.5f, 0.54f), Place = new Vector3(3f, -2f, 1f);
-        static readonly Quaternion Turn = Quaternion.Euler(20f, 130f, -40f);
+        private static readonly Vector3 Domain = new Vector3(0.62f, 0.5f, 0.54f), Place = new Vector3(3f, -2f, 1f);
+        private static readonly Quaternion Turn = Quaternion.Euler(20f, 130f, -40f);
 
-        FluidShaderSet shaders;
+        private FluidShaderSet shaders;
 
         [SetUp]
         public void SetUp() => shaders = TestShaders.CreateSet();
@@ -32,7 +32,8 @@ namespace SphFluid.Tests
             FluidParticle[] particles = ParticleSets.Random(count, Domain, 1f, 3);
             Vector4[] points = Points(settings, particles);
             using (var solver = new FluidSolver(settings, shaders, particles))
-            using (GraphicsBuffer asked = GpuBuffers.Create("Points", points.Length, 16), found = GpuBuffers.Create("Found", points.Length, 16))
+            using (GraphicsBuffer asked = GpuBuffers.Create("Points", points.Length, 16),
+                found = GpuBuffers.Create("Found", points.Length, 16))
             {
                 asked.SetData(points);
                 Run(solver, "CountAround", points.Length, asked, found);
@@ -67,7 +68,8 @@ namespace SphFluid.Tests
                     Assert.That(seen[3 * i + 2].x, Is.EqualTo(densities[i]).And.GreaterThan(0f));
                     Assert.That(seen[3 * i + 2].y, Is.EqualTo(pressures[i]));
                     Assert.That(seen[3 * i + 2].z, Is.LessThan(1e-5), "there and back");
-                    Assert.That(seen[3 * i + 2].w, Is.EqualTo(settings.Spacing + settings.SupportRadius + settings.ParticleMass + settings.RestDensity));
+                    Assert.That(seen[3 * i + 2].w,
+                        Is.EqualTo(settings.Spacing + settings.SupportRadius + settings.ParticleMass + settings.RestDensity));
                 }
                 Assert.That(seen.Where((_, i) => i % 3 == 0).Select(v => v.w).Distinct().Count(), Is.EqualTo(300));
             }
@@ -79,9 +81,14 @@ namespace SphFluid.Tests
             FluidSolverSettings settings = Settings(FluidMethodKind.Standard, FluidAxes.None);
             FluidParticle[] particles = ParticleSets.Random(300, Domain, 0f, 5);
             using (var solver = new FluidSolver(settings, shaders, particles))
-            using (GraphicsBuffer echo = GpuBuffers.Create("Echo", 900, 16), asked = GpuBuffers.Create("Points", 1, 16), found = GpuBuffers.Create("Found", 1, 16))
+            using (GraphicsBuffer echo = GpuBuffers.Create("Echo", 900, 16), asked = GpuBuffers.Create("Points", 1, 16),
+                found = GpuBuffers.Create("Found", 1, 16))
             {
-                solver.Exchange.SetDrains(new[] { (DrainZone.Box(Matrix4x4.TRS(0.25f * Domain.x * Vector3.right, Quaternion.identity, new Vector3(0.25f * Domain.x, 1f, 1f))), SourceCounts.Removed) });
+                solver.Exchange
+                    .SetDrains(
+                        new[]
+                        { (DrainZone.Box(Matrix4x4.TRS(0.25f * Domain.x * Vector3.right, Quaternion.identity,
+                            new Vector3(0.25f * Domain.x, 1f, 1f))), SourceCounts.Removed) });
                 GpuTest.Run(cmd => solver.RecordSteps(cmd, 1, 1e-5f));
                 Run(solver, "EchoParticles", solver.ParticleCount, null, echo);
                 int alive = GpuTest.Read<Vector4>(echo, 3 * solver.ParticleCount).Where((_, i) => i % 3 == 1).Count(v => v.w == 1f);
@@ -102,7 +109,8 @@ namespace SphFluid.Tests
             Assert.That(() => none.Bind(properties), Throws.InvalidOperationException.With.Message.Contains("TryGetBuffers"));
             Assert.That(() => new FluidBuffers(null, Matrix4x4.identity), Throws.ArgumentNullException);
             FluidBuffers buffers;
-            using (var solver = new FluidSolver(Settings(FluidMethodKind.Standard, FluidAxes.None), shaders, ParticleSets.Random(10, Domain, 0f, 5)))
+            using (var solver =
+                new FluidSolver(Settings(FluidMethodKind.Standard, FluidAxes.None), shaders, ParticleSets.Random(10, Domain, 0f, 5)))
             {
                 buffers = new FluidBuffers(solver, Matrix4x4.identity);
                 Assert.That(buffers.IsValid);
@@ -115,7 +123,7 @@ namespace SphFluid.Tests
             Assert.That(() => buffers.Particles, Throws.InvalidOperationException.With.Message.Contains("stopped"));
         }
 
-        static FluidSolverSettings Settings(FluidMethodKind method, FluidAxes periodic)
+        private static FluidSolverSettings Settings(FluidMethodKind method, FluidAxes periodic)
         {
             FluidRuleInput input = FluidRuleInput.Water;
             input.Method = method;
@@ -128,7 +136,7 @@ namespace SphFluid.Tests
         }
 
         // At particles, within, on the faces, in corners and beyond, with radii below and above the support radius.
-        static Vector4[] Points(in FluidSolverSettings settings, FluidParticle[] particles)
+        private static Vector4[] Points(in FluidSolverSettings settings, FluidParticle[] particles)
         {
             var random = new System.Random(4);
             var points = new Vector4[61];
@@ -136,14 +144,18 @@ namespace SphFluid.Tests
             {
                 Vector3 place = Vector3.Scale(ParticleSets.RandomVector(random), (i % 4 == 3 ? 1.3f : 1f) * Domain);
                 if (i % 4 == 1) place = particles[i % particles.Length].Position;
-                if (i % 4 == 2) place = 0.5f * Vector3.Scale(new Vector3(Math.Sign(place.x), Math.Sign(place.y), i % 8 == 2 ? 0.3f : Math.Sign(place.z)), Domain);
+                if (i % 4 == 2)
+                {
+                    place = 0.5f *
+                        Vector3.Scale(new Vector3(Math.Sign(place.x), Math.Sign(place.y), i % 8 == 2 ? 0.3f : Math.Sign(place.z)), Domain);
+                }
                 points[i] = place;
                 points[i].w = settings.SupportRadius * (i % 3 == 0 ? 0.4f : i % 3 == 1 ? 1f : 1.7f);
             }
             return points;
         }
 
-        static (uint count, uint ids) Around(Vector3 place, float radius, FluidParticle[] particles, Vector3 period)
+        private static (uint count, uint ids) Around(Vector3 place, float radius, FluidParticle[] particles, Vector3 period)
         {
             (uint count, uint ids) = (0u, 0u);
             foreach (FluidParticle particle in particles)
@@ -162,7 +174,7 @@ namespace SphFluid.Tests
             return (count, ids);
         }
 
-        static void Run(FluidSolver solver, string kernelName, int threads, GraphicsBuffer points, GraphicsBuffer written)
+        private static void Run(FluidSolver solver, string kernelName, int threads, GraphicsBuffer points, GraphicsBuffer written)
         {
             ComputeShader shader = TestShaders.Load("Tests/Editor/Solver/FluidBuffersEcho.compute");
             int kernel = shader.FindKernel(kernelName);

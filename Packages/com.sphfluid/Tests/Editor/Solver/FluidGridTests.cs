@@ -42,7 +42,7 @@ namespace SphFluid.Tests
             Assert.That(FluidGrid.For(settings).Counts.x, Is.EqualTo(3));
         }
 
-        static FluidSolverSettings Settings(Vector3 domain, float radius, bool octant, FluidAxes periodic)
+        private static FluidSolverSettings Settings(Vector3 domain, float radius, bool octant, FluidAxes periodic)
         {
             FluidSolverSettings settings = TestSettings.ByRule(domain, 0.05f);
             settings.SupportRadius = radius;

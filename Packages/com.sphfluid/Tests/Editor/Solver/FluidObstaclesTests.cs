@@ -7,10 +7,10 @@ namespace SphFluid.Tests
 {
     public sealed class FluidObstaclesTests
     {
-        const float Spacing = 0.05f;
-        static readonly Vector3 Domain = new Vector3(0.8f, 0.8f, 0.8f);
+        private const float Spacing = 0.05f;
+        private static readonly Vector3 Domain = new Vector3(0.8f, 0.8f, 0.8f);
 
-        FluidShaderSet shaders;
+        private FluidShaderSet shaders;
 
         [SetUp]
         public void CreateShaders()
@@ -163,7 +163,8 @@ namespace SphFluid.Tests
             for (int i = 0; i < pool.Length; i++) pool[i].Position.y -= 0.2f;
             Vector3 size = 0.2f * Vector3.one, place = 0.2f * Vector3.right, middle = 0.2f * Vector3.down;
             TriangleMesh cube = TriangleMesh.Box(Matrix4x4.Scale(size));
-            pool = pool.Where(p => !new Bounds(middle + place, 1.2f * size).Contains(p.Position) && !new Bounds(middle - place, 1.2f * size).Contains(p.Position)).ToArray();
+            pool = pool.Where(p => !new Bounds(middle + place, 1.2f * size).Contains(p.Position) &&
+                !new Bounds(middle - place, 1.2f * size).Contains(p.Position)).ToArray();
             using (var solver = new FluidSolver(settings, shaders, pool))
             using (var obstacles = new FluidObstacles(solver.Settings))
             {
@@ -184,7 +185,8 @@ namespace SphFluid.Tests
                     }
                 }
                 Assert.That(obstacles.ReadPoseNow(heavy, out Quaternion turned).y, Is.GreaterThan(middle.y + 0.1f), "pushed up");
-                Assert.That(Quaternion.Angle(turned, Quaternion.identity), Is.LessThan(1e-3f), "it has no inertia given, so it does not turn");
+                Assert.That(Quaternion.Angle(turned, Quaternion.identity), Is.LessThan(1e-3f),
+                    "it has no inertia given, so it does not turn");
             }
         }
 
@@ -195,14 +197,17 @@ namespace SphFluid.Tests
             using (var obstacles = new FluidObstacles(Settings(FluidMethodKind.Standard)))
             using (var thesis = new FluidObstacles(Settings(FluidMethodKind.Thesis)))
             {
-                int Add(FluidObstacles to, float mass, float inertia) => to.AddFloating(cube, Vector3.zero, Quaternion.identity, mass, inertia * Vector3.one);
+                int Add(FluidObstacles to, float mass, float inertia) =>
+                    to.AddFloating(cube, Vector3.zero, Quaternion.identity, mass, inertia * Vector3.one);
                 Assert.That(() => Add(thesis, 1f, 1f), Throws.TypeOf<NotSupportedException>().With.Message.Contains("Standard"));
                 Assert.That(() => Add(obstacles, 0f, 1f), Throws.TypeOf<ArgumentOutOfRangeException>());
                 Assert.That(() => Add(obstacles, float.NaN, 1f), Throws.TypeOf<ArgumentOutOfRangeException>());
                 Assert.That(() => Add(obstacles, 1f, -1f), Throws.TypeOf<ArgumentOutOfRangeException>());
                 int fixedMesh = obstacles.Add(cube, Matrix4x4.identity), floating = Add(obstacles, 1f, 1f);
-                Assert.That(() => obstacles.Push(fixedMesh, Vector3.up, Vector3.zero), Throws.TypeOf<ArgumentOutOfRangeException>().With.Message.Contains("AddFloating"));
-                Assert.That(() => obstacles.MoveTo(floating, Matrix4x4.identity), Throws.InvalidOperationException.With.Message.Contains("Push"));
+                Assert.That(() => obstacles.Push(fixedMesh, Vector3.up, Vector3.zero),
+                    Throws.TypeOf<ArgumentOutOfRangeException>().With.Message.Contains("AddFloating"));
+                Assert.That(() => obstacles.MoveTo(floating, Matrix4x4.identity),
+                    Throws.InvalidOperationException.With.Message.Contains("Push"));
             }
         }
 
@@ -246,18 +251,21 @@ namespace SphFluid.Tests
             using (var obstacles = new FluidObstacles(settings))
             using (var others = new FluidObstacles(Settings(FluidMethodKind.Thesis)))
             {
-                Assert.That(() => obstacles.Add((TriangleMesh)null, Matrix4x4.identity), Throws.ArgumentException.With.Message.Contains("one triangle or more"));
+                Assert.That(() => obstacles.Add((TriangleMesh)null, Matrix4x4.identity),
+                    Throws.ArgumentException.With.Message.Contains("one triangle or more"));
                 Assert.That(() => obstacles.Add((Collider)null), Throws.ArgumentNullException);
                 Assert.That(() => obstacles.Add(Shelf(), Matrix4x4.identity, 1.5f), Throws.TypeOf<ArgumentOutOfRangeException>());
-                Assert.That(() => obstacles.MoveTo(0, Matrix4x4.identity), Throws.TypeOf<ArgumentOutOfRangeException>().With.Message.Contains("Add returned"));
+                Assert.That(() => obstacles.MoveTo(0, Matrix4x4.identity),
+                    Throws.TypeOf<ArgumentOutOfRangeException>().With.Message.Contains("Add returned"));
                 Assert.That(() => solver.SetObstacles(others), Throws.ArgumentException.With.Message.Contains("settings of the solver"));
             }
         }
 
         // A slab across the domain, its top at zero.
-        static TriangleMesh Shelf() => TriangleMesh.Box(Matrix4x4.TRS(0.05f * Vector3.down, Quaternion.identity, new Vector3(2f, 0.1f, 2f)));
+        private static TriangleMesh Shelf() =>
+            TriangleMesh.Box(Matrix4x4.TRS(0.05f * Vector3.down, Quaternion.identity, new Vector3(2f, 0.1f, 2f)));
 
-        static FluidSolverSettings Settings(FluidMethodKind method)
+        private static FluidSolverSettings Settings(FluidMethodKind method)
         {
             FluidRuleInput input = method == FluidMethodKind.Standard ? FluidRuleInput.Water : FluidRuleInput.ThesisWater;
             input.Method = method;
@@ -268,7 +276,7 @@ namespace SphFluid.Tests
             return FluidRules.Derive(input);
         }
 
-        static FluidParticle[] Drop()
+        private static FluidParticle[] Drop()
         {
             FluidParticle[] drop = ParticleSets.Lattice(new Vector3Int(4, 4, 4), Spacing, 0f, 1);
             for (int i = 0; i < drop.Length; i++) drop[i].Position.y += 0.03f + 2f * Spacing;
@@ -276,7 +284,7 @@ namespace SphFluid.Tests
         }
 
         // Height of the lowest particle after half a second.
-        float Lowest(FluidMethodKind method, Action<FluidObstacles> add, Matrix4x4? worldToSimulation = null)
+        private float Lowest(FluidMethodKind method, Action<FluidObstacles> add, Matrix4x4? worldToSimulation = null)
         {
             FluidSolverSettings settings = Settings(method);
             using (var solver = new FluidSolver(settings, shaders, Drop()))
@@ -290,7 +298,7 @@ namespace SphFluid.Tests
             }
         }
 
-        static float LowestNow(FluidSolver solver)
+        private static float LowestNow(FluidSolver solver)
         {
             GpuTest.Run(cmd => solver.RecordNeighbourSetup(cmd)); // brings what is read up to date
             return GpuTest.Read<FluidParticle>(solver.Particles, solver.ParticleCount).Min(p => p.Position.y);

@@ -9,8 +9,8 @@ namespace SphFluid.Tests
     /// <summary>The steps together.</summary>
     public sealed class FluidSolverTests
     {
-        static readonly Vector3 Domain = new Vector3(0.6f, 0.5f, 0.4f);
-        FluidShaderSet shaders;
+        private static readonly Vector3 Domain = new Vector3(0.6f, 0.5f, 0.4f);
+        private FluidShaderSet shaders;
 
         [SetUp]
         public void CreateShaders() => shaders = TestShaders.CreateSet();
@@ -62,10 +62,7 @@ namespace SphFluid.Tests
                     GpuTest.Run(cmd =>
                     {
                         solver.RecordSteps(cmd, 1);
-                        if (i < 9)
-                        {
-                            solver.RecordNeighbourSetup(cmd);
-                        }
+                        if (i < 9) solver.RecordNeighbourSetup(cmd);
                     });
                 }
 
@@ -96,10 +93,7 @@ namespace SphFluid.Tests
             settings.Gravity = Vector3.zero;
             FluidParticle[] start = Block();
             var random = new System.Random(3);
-            for (int i = 0; i < start.Length; i++)
-            {
-                start[i].VelT0 = 2f * ParticleSets.RandomVector(random);
-            }
+            for (int i = 0; i < start.Length; i++) start[i].VelT0 = 2f * ParticleSets.RandomVector(random);
 
             FluidParticle[] end = Run(settings, start, 80);
             Double3 before = Momentum(start, out double size);
@@ -110,10 +104,7 @@ namespace SphFluid.Tests
         [Test]
         public void CountersArriveByThemselves()
         {
-            if (!SystemInfo.supportsAsyncGPUReadback)
-            {
-                Assert.Ignore($"{SystemInfo.graphicsDeviceName} has no asynchronous read-back.");
-            }
+            if (!SystemInfo.supportsAsyncGPUReadback) Assert.Ignore($"{SystemInfo.graphicsDeviceName} has no asynchronous read-back.");
 
             FluidSolverSettings settings = TestSettings.ByRule(Domain, 0.025f);
             using (var solver = new FluidSolver(settings, shaders, Block()))
@@ -135,10 +126,7 @@ namespace SphFluid.Tests
             using (var solver = new FluidSolver(settings, shaders, block))
             {
                 int steps = (int)(0.7f / settings.TimeStep);
-                for (int done = 0; done < steps; done += 100)
-                {
-                    GpuTest.Run(cmd => solver.RecordSteps(cmd, 100));
-                }
+                for (int done = 0; done < steps; done += 100) GpuTest.Run(cmd => solver.RecordSteps(cmd, 100));
 
                 FluidCounters counters = solver.ReadCountersNow();
                 FluidParticle[] end = GpuTest.Read<FluidParticle>(solver.Particles, solver.ParticleCount);
@@ -149,7 +137,8 @@ namespace SphFluid.Tests
                 Assert.That(end.Average(p => p.VelT1.magnitude), Is.LessThan(0.25f), "comes to rest");
                 float filled = block.Length * 0.04f * 0.04f * 0.04f / (Domain.x * Domain.z);
                 float centre = end.Average(p => p.Position.y) + 0.5f * Domain.y;
-                Assert.That(centre, Is.EqualTo(0.5f * filled).Within(0.2f * filled), "half the depth, less what the method lacks at floor and surface");
+                Assert.That(centre, Is.EqualTo(0.5f * filled).Within(0.2f * filled),
+                    "half the depth, less what the method lacks at floor and surface");
             }
         }
 
@@ -172,10 +161,10 @@ namespace SphFluid.Tests
             }
         }
 
-        static FluidParticle[] Block() => ParticleSets.Lattice(new Vector3Int(11, 9, 10), 0.025f, 1e-4f, 7);
+        private static FluidParticle[] Block() => ParticleSets.Lattice(new Vector3Int(11, 9, 10), 0.025f, 1e-4f, 7);
 
         // Per unit mass.
-        static Double3 Momentum(FluidParticle[] particles, out double size)
+        private static Double3 Momentum(FluidParticle[] particles, out double size)
         {
             Double3 sum = Double3.Zero;
             size = 0.0;
@@ -188,7 +177,7 @@ namespace SphFluid.Tests
             return sum;
         }
 
-        FluidParticle[] Run(FluidSolverSettings settings, FluidParticle[] start, int steps)
+        private FluidParticle[] Run(FluidSolverSettings settings, FluidParticle[] start, int steps)
         {
             using (var solver = new FluidSolver(settings, shaders, start))
             {

@@ -7,16 +7,19 @@ using UnityEngine.Rendering;
 
 namespace SphFluid.Tests
 {
-    /// <summary>Force zones on particles in free flight, too far apart to feel each other, against the same steps in double precision.</summary>
+    /// <summary>
+    /// Force zones on particles in free flight, too far apart to feel each other, against the same steps in double precision.
+    /// </summary>
     public sealed class ForceZonesTests
     {
-        const float Spacing = 0.02f, TimeStep = 1e-4f;
-        const int Steps = 40;
+        private const float Spacing = 0.02f, TimeStep = 1e-4f;
+        private const int Steps = 40;
 
-        static readonly Vector3 Domain = new Vector3(1.2f, 1f, 1.1f);
+        private static readonly Vector3 Domain = new Vector3(1.2f, 1f, 1.1f);
 
         [Test]
-        public void AZoneActsAsTheFormulaSays([Values("uniform", "point", "vortex", "wind", "eddies", "all")] string kind, [Values("box", "sphere", "capsule")] string shape)
+        public void AZoneActsAsTheFormulaSays([Values("uniform", "point", "vortex", "wind", "eddies", "all")] string kind,
+            [Values("box", "sphere", "capsule")] string shape)
         {
             ForceZone zone = Zone(kind, shape);
             FluidParticle[] start = Start(), end = Run(start, zone), again = Run(start, zone);
@@ -73,7 +76,7 @@ namespace SphFluid.Tests
             Assert.That(Enumerable.Range(0, start.Length).Max(i => (end[i].Position - free[i].Position).magnitude), Is.GreaterThan(1e-4f));
         }
 
-        static FluidSolverSettings Settings()
+        private static FluidSolverSettings Settings()
         {
             FluidRuleInput input = FluidRuleInput.Water;
             input.DomainSize = Domain;
@@ -86,10 +89,10 @@ namespace SphFluid.Tests
             return settings;
         }
 
-        static double EdgeOf() => Settings().SupportRadius;
+        private static double EdgeOf() => Settings().SupportRadius;
 
         // A lattice of 0.1 m, more than two support radii, of 7 x 5 x 7 and a velocity each.
-        static FluidParticle[] Start()
+        private static FluidParticle[] Start()
         {
             var random = new System.Random(3);
             var particles = new List<FluidParticle>();
@@ -97,13 +100,14 @@ namespace SphFluid.Tests
                 for (int y = -2; y <= 2; y++)
                     for (int z = -3; z <= 3; z++)
                     {
-                        var velocity = new Vector3((float)random.NextDouble() - 0.5f, (float)random.NextDouble() - 0.5f, (float)random.NextDouble() - 0.5f);
+                        var velocity = new Vector3((float)random.NextDouble() - 0.5f, (float)random.NextDouble() - 0.5f,
+                            (float)random.NextDouble() - 0.5f);
                         particles.Add(new FluidParticle(new Vector3(x, y, z) * 0.1f, velocity, (uint)particles.Count));
                     }
             return particles.ToArray();
         }
 
-        static ForceZone Zone(string kind, string shape)
+        private static ForceZone Zone(string kind, string shape)
         {
             bool all = kind == "all";
             var zone = new ForceZone();
@@ -117,16 +121,16 @@ namespace SphFluid.Tests
             return zone;
         }
 
-        static readonly Vector3 Centre = new Vector3(0.03f, -0.02f, 0.05f);
-        static readonly Quaternion Turn = Quaternion.Euler(20f, 35f, -50f);
+        private static readonly Vector3 Centre = new Vector3(0.03f, -0.02f, 0.05f);
+        private static readonly Quaternion Turn = Quaternion.Euler(20f, 35f, -50f);
 
-        static Vector4 CoreOf(string shape) => shape == "box" ? new Vector4(0.2f, 0.25f, 0.18f, 0f)
+        private static Vector4 CoreOf(string shape) => shape == "box" ? new Vector4(0.2f, 0.25f, 0.18f, 0f)
             : shape == "sphere" ? new Vector4(0f, 0f, 0f, 0.24f) : new Vector4(0f, 0.15f, 0f, 0.2f);
 
-        static FluidParticle[] Run(FluidParticle[] start, params ForceZone[] given) => Run(start, false, FluidAxes.None, given);
+        private static FluidParticle[] Run(FluidParticle[] start, params ForceZone[] given) => Run(start, false, FluidAxes.None, given);
 
         // The mesh is in a corner, away from the particles.
-        static FluidParticle[] Run(FluidParticle[] start, bool mesh, FluidAxes periodic, params ForceZone[] given)
+        private static FluidParticle[] Run(FluidParticle[] start, bool mesh, FluidAxes periodic, params ForceZone[] given)
         {
             GpuTest.Require();
             FluidSolverSettings settings = Settings();
@@ -143,7 +147,8 @@ namespace SphFluid.Tests
                 }
                 if (mesh)
                 {
-                    obstacles.Add(TriangleMesh.Box(Matrix4x4.Scale(0.04f * Vector3.one)), Matrix4x4.Translate(new Vector3(0.5f, 0.4f, 0.45f)));
+                    obstacles.Add(TriangleMesh.Box(Matrix4x4.Scale(0.04f * Vector3.one)),
+                        Matrix4x4.Translate(new Vector3(0.5f, 0.4f, 0.45f)));
                     obstacles.Update(Matrix4x4.identity);
                     solver.SetObstacles(obstacles);
                 }
@@ -157,7 +162,7 @@ namespace SphFluid.Tests
         }
 
         // The shapes by their distances, not by the shader's rounded box.
-        static double Depth(double[] position, string shape)
+        private static double Depth(double[] position, string shape)
         {
             var offset = new Vector3((float)(position[0] - Centre.x), (float)(position[1] - Centre.y), (float)(position[2] - Centre.z));
             Vector3 p = Quaternion.Inverse(Turn) * offset;
@@ -167,7 +172,7 @@ namespace SphFluid.Tests
             return Math.Min(core.x - Math.Abs(p.x), Math.Min(core.y - Math.Abs(p.y), core.z - Math.Abs(p.z)));
         }
 
-        static (double[], double[]) Reference(in FluidParticle start, in ForceZone zone, string shape, double edge)
+        private static (double[], double[]) Reference(in FluidParticle start, in ForceZone zone, string shape, double edge)
         {
             var x = new double[] { start.Position.x, start.Position.y, start.Position.z };
             var v = new double[] { start.VelT0.x, start.VelT0.y, start.VelT0.z };

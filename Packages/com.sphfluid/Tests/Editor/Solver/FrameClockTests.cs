@@ -5,9 +5,9 @@ namespace SphFluid.Tests
 {
     public sealed class FrameClockTests
     {
-        const double Longest = 1.0 / 120.0;
+        private const double Longest = 1.0 / 120.0;
 
-        static FrameClock Clock(int most = 64) => new FrameClock(4, Longest, most, 1.0 / 240.0);
+        private static FrameClock Clock(int most = 64) => new FrameClock(4, Longest, most, 1.0 / 240.0);
 
         [TestCase(1.0 / 240.0)]
         [TestCase(1.0 / 60.0)]

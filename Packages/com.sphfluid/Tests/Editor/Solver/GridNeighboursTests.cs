@@ -8,7 +8,7 @@ namespace SphFluid.Tests
     /// <summary>The neighbour loop finds every pair within h, once, from both sides.</summary>
     public sealed class GridNeighboursTests
     {
-        static readonly Vector3 Domain = new Vector3(0.5f, 0.37f, 0.43f);
+        private static readonly Vector3 Domain = new Vector3(0.5f, 0.37f, 0.43f);
 
         [TestCase(1, true)]
         [TestCase(257, true)]
@@ -51,7 +51,8 @@ namespace SphFluid.Tests
             double largest = octant.Values.Max(v => ((Vector3)v).magnitude);
             foreach (uint id in octant.Keys)
             {
-                Assert.That(rows[id].w, Is.EqualTo(octant[id].w).Within(2e-5).Percent.Or.EqualTo(octant[id].w).Within(0.02), $"density of {id}");
+                Assert.That(rows[id].w, Is.EqualTo(octant[id].w).Within(2e-5).Percent.Or.EqualTo(octant[id].w).Within(0.02),
+                    $"density of {id}");
                 Assert.That((rows[id] - octant[id]).magnitude, Is.LessThan(1e-5 * largest + 0.02), $"force on {id}");
             }
         }
@@ -74,7 +75,7 @@ namespace SphFluid.Tests
             }
         }
 
-        static Dictionary<uint, Vector4> DensityAndForce(in FluidSolverSettings settings, FluidParticle[] start)
+        private static Dictionary<uint, Vector4> DensityAndForce(in FluidSolverSettings settings, FluidParticle[] start)
         {
             using (var rig = new ThesisRig(settings, start))
             {

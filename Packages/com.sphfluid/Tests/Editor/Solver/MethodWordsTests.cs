@@ -11,14 +11,17 @@ namespace SphFluid.Tests
     /// <summary>Documentation comments and tooltips that say which methods have a thing name those that do.</summary>
     public sealed class MethodWordsTests
     {
-        const string Runtime = "Packages/com.sphfluid/Runtime";
+        private const string Runtime = "Packages/com.sphfluid/Runtime";
 
-        const string Methods = "(?<m>Standard|Robust|Thesis)";
+        private const string Methods = "(?<m>Standard|Robust|Thesis)";
 
-        static readonly Regex Word = new Regex($@"\b{Methods} method|\bmethods? {Methods}(?: and {Methods})?|\bFluidMethodKind\.{Methods}\b", RegexOptions.IgnoreCase);
+        private static readonly Regex Word =
+            new Regex($@"\b{Methods} method|\bmethods? {Methods}(?: and {Methods})?|\bFluidMethodKind\.{Methods}\b",
+                RegexOptions.IgnoreCase);
 
-        static IEnumerable<string> ProfileFields() =>
-            typeof(FluidProfile).GetFields(BindingFlags.Instance | BindingFlags.NonPublic).Where(f => f.GetCustomAttribute<TooltipAttribute>() != null).Select(f => f.Name);
+        private static IEnumerable<string> ProfileFields() =>
+            typeof(FluidProfile).GetFields(BindingFlags.Instance | BindingFlags.NonPublic)
+                .Where(f => f.GetCustomAttribute<TooltipAttribute>() != null).Select(f => f.Name);
 
         [TestCase("method Standard", "standard")]
         [TestCase("Standard method only; the thesis's text", "standard")]
@@ -47,23 +50,28 @@ namespace SphFluid.Tests
         public void AFieldOfAProfileNamesTheMethodsThatReadIt(string field)
         {
             string[] read = Sorted(FluidMethods.All.Where(m => m.ProfileFields.Contains(field)).Select(NameOf));
-            string tooltip = typeof(FluidProfile).GetField(field, BindingFlags.Instance | BindingFlags.NonPublic).GetCustomAttribute<TooltipAttribute>().tooltip;
+            string tooltip = typeof(FluidProfile).GetField(field, BindingFlags.Instance | BindingFlags.NonPublic)
+                .GetCustomAttribute<TooltipAttribute>().tooltip;
             string comment = TextBefore("FluidProfile", char.ToUpperInvariant(field[0]) + field.Substring(1));
             if (read.Length == 0) Assert.That(tooltip + comment, Does.Not.Contain(" only"), "all methods read it");
             if (read.Length == 1) Assert.That(Named(comment), Is.EqualTo(read), comment);
             if (read.Length > 0) Assert.That(Named(tooltip), Is.Empty.Or.EqualTo(read), tooltip);
         }
 
-        static string NameOf(FluidMethod method) => method.Kind == FluidMethodKind.ThesisPrinted ? nameof(FluidMethodKind.Thesis) : method.Kind.ToString();
+        private static string NameOf(FluidMethod method) => method.Kind == FluidMethodKind.ThesisPrinted ? nameof(FluidMethodKind.Thesis)
+            : method.Kind.ToString();
 
-        static string[] Sorted(IEnumerable<string> names) => names.Select(n => n.ToLowerInvariant()).Distinct().OrderBy(n => n).ToArray();
+        private static string[] Sorted(IEnumerable<string> names) =>
+            names.Select(n => n.ToLowerInvariant()).Distinct().OrderBy(n => n).ToArray();
 
-        static string[] Named(string text) => Sorted(Word.Matches(text).Cast<Match>().SelectMany(m => m.Groups["m"].Captures.Cast<Capture>()).Select(c => c.Value));
+        private static string[] Named(string text) =>
+            Sorted(Word.Matches(text).Cast<Match>().SelectMany(m => m.Groups["m"].Captures.Cast<Capture>()).Select(c => c.Value));
 
         /// <summary>Comments and attributes before a member's declaration.</summary>
-        static string TextBefore(string file, string member)
+        private static string TextBefore(string file, string member)
         {
-            string[] lines = File.ReadAllLines(Directory.GetFiles(Path.GetFullPath(Runtime), file + ".cs", SearchOption.AllDirectories).Single());
+            string[] lines =
+                File.ReadAllLines(Directory.GetFiles(Path.GetFullPath(Runtime), file + ".cs", SearchOption.AllDirectories).Single());
             var declaration = new Regex($@"^\s*(?:[\w<>]+ )+{member}\b(?!\()");
             int at = System.Array.FindIndex(lines, l => declaration.IsMatch(l));
             Assert.That(at, Is.Positive, $"{file} has no {member}");

@@ -14,7 +14,9 @@ namespace SphFluid.Tests
             Assert.That(oneWay, Is.Zero, "one-way pairs");
         }
 
-        /// <summary>Pairs within the support radius by brute force, those that the loop gets wrong, and those that only one side finds.</summary>
+        /// <summary>
+        /// Pairs within the support radius by brute force, those that the loop gets wrong, and those that only one side finds.
+        /// </summary>
         public static void Count(ThesisRig rig, out int all, out int missing, out int oneWay)
         {
             double h = rig.State.Settings.SupportRadius;
@@ -64,6 +66,6 @@ namespace SphFluid.Tests
             }
         }
 
-        static bool Bit(uint[] pairs, int words, int i, int j) => (pairs[i * words + j / 32] >> (j % 32) & 1u) != 0u;
+        private static bool Bit(uint[] pairs, int words, int i, int j) => (pairs[i * words + j / 32] >> (j % 32) & 1u) != 0u;
     }
 }

@@ -8,9 +8,9 @@ namespace SphFluid.Tests
     /// <summary>Particles that cross the faces of periodic axes.</summary>
     public sealed class PeriodicMotionTests
     {
-        const float Spacing = 0.025f;
+        private const float Spacing = 0.025f;
 
-        FluidShaderSet shaders;
+        private FluidShaderSet shaders;
 
         [SetUp]
         public void CreateShaders() => shaders = TestShaders.CreateSet();
@@ -80,10 +80,7 @@ namespace SphFluid.Tests
             settings.OctantSearch = octant;
             FluidParticle[] start = ParticleSets.Lattice(counts, Spacing, 0.1f * Spacing, 3);
             var random = new System.Random(3);
-            for (int i = 0; i < start.Length; i++)
-            {
-                start[i].VelT0 = new Vector3(0.7f, -0.3f, 0.2f) + ParticleSets.RandomVector(random);
-            }
+            for (int i = 0; i < start.Length; i++) start[i].VelT0 = new Vector3(0.7f, -0.3f, 0.2f) + ParticleSets.RandomVector(random);
 
             FluidParticle[] end = Run(settings, start, 40, out FluidCounters counters);
             Double3 before = Momentum(start, out double size);
@@ -114,7 +111,7 @@ namespace SphFluid.Tests
             }
         }
 
-        static FluidSolverSettings Settings(Vector3 domain, FluidAxes periodic)
+        private static FluidSolverSettings Settings(Vector3 domain, FluidAxes periodic)
         {
             FluidSolverSettings settings = TestSettings.ByRule(domain, Spacing);
             settings.Gravity = Vector3.zero;
@@ -122,7 +119,7 @@ namespace SphFluid.Tests
             return settings;
         }
 
-        static Double3 Momentum(FluidParticle[] particles, out double size)
+        private static Double3 Momentum(FluidParticle[] particles, out double size)
         {
             Double3 sum = Double3.Zero;
             size = 0.0;
@@ -135,7 +132,7 @@ namespace SphFluid.Tests
             return sum;
         }
 
-        FluidParticle[] Run(in FluidSolverSettings settings, FluidParticle[] start, int steps, out FluidCounters counters)
+        private FluidParticle[] Run(in FluidSolverSettings settings, FluidParticle[] start, int steps, out FluidCounters counters)
         {
             using (var solver = new FluidSolver(settings, shaders, start))
             {

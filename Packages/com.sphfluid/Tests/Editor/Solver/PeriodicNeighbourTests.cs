@@ -8,7 +8,7 @@ namespace SphFluid.Tests
     public sealed class PeriodicNeighbourTests
     {
         // R = 0.05 m: 4 cells of 2R and 9 of R along x, with some to spare.
-        static readonly Vector3 Domain = new Vector3(0.47f, 0.41f, 0.53f);
+        private static readonly Vector3 Domain = new Vector3(0.47f, 0.41f, 0.53f);
 
         [TestCase(1, true, FluidAxes.All)]
         [TestCase(255, true, FluidAxes.All)]
@@ -26,7 +26,8 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void BoxesOfTheLeastSizeVisitNoPairTwice([Values] bool octant, [Values(FluidAxes.X, FluidAxes.Z, FluidAxes.All)] FluidAxes periodic)
+        public void BoxesOfTheLeastSizeVisitNoPairTwice([Values] bool octant,
+            [Values(FluidAxes.X, FluidAxes.Z, FluidAxes.All)] FluidAxes periodic)
         {
             float side = octant ? 0.2f : 0.15f; // 2 cells of 2R, 3 of R
             FluidSolverSettings settings = Settings(side * Vector3.one, octant, periodic);
@@ -63,7 +64,8 @@ namespace SphFluid.Tests
                     double expected = ThesisReference.Density(particles, i, settings);
                     Assert.That(density[i], Is.EqualTo(expected).Within(1e-5 * expected), $"density of {i}");
                     Double3 forceExpected = ThesisReference.Force(particles, density, pressure, i, settings, out double magnitude);
-                    Assert.That(((Double3)(Vector3)force[i] - forceExpected).Length, Is.LessThanOrEqualTo(2e-5 * magnitude), $"force on {i}");
+                    Assert.That(((Double3)(Vector3)force[i] - forceExpected).Length, Is.LessThanOrEqualTo(2e-5 * magnitude),
+                        $"force on {i}");
                 }
             }
         }
@@ -81,7 +83,7 @@ namespace SphFluid.Tests
             }
         }
 
-        static FluidSolverSettings Settings(Vector3 domain, bool octant, FluidAxes periodic)
+        private static FluidSolverSettings Settings(Vector3 domain, bool octant, FluidAxes periodic)
         {
             FluidSolverSettings settings = TestSettings.ByRule(domain, 0.025f);
             settings.OctantSearch = octant;
@@ -89,7 +91,7 @@ namespace SphFluid.Tests
             return settings;
         }
 
-        static void Check(in FluidSolverSettings settings, FluidParticle[] particles)
+        private static void Check(in FluidSolverSettings settings, FluidParticle[] particles)
         {
             using (var rig = new ThesisRig(settings, particles))
             {

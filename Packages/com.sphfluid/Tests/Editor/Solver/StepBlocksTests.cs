@@ -8,7 +8,8 @@ namespace SphFluid.Tests
     public sealed class StepBlocksTests
     {
         [Test]
-        public void BlocksAreTheFewestAndAsEqualAsTheyCome([Values(1, 2, 3, 7, 8, 13, 64, 1009)] int steps, [Values(1, 2, 3, 4, 8)] int most)
+        public void BlocksAreTheFewestAndAsEqualAsTheyCome([Values(1, 2, 3, 7, 8, 13, 64, 1009)] int steps,
+            [Values(1, 2, 3, 4, 8)] int most)
         {
             var blocks = new StepBlocks(steps, most);
             var lengths = new List<int>();

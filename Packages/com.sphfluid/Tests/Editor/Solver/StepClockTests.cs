@@ -20,10 +20,7 @@ namespace SphFluid.Tests
         public void FramesOfThirtiethsDoNotDrift()
         {
             var clock = new StepClock(1.0 / 900.0, 100);
-            for (int i = 0; i < 3000; i++)
-            {
-                Assert.That(clock.Advance(1f / 30f), Is.EqualTo(30).Within(1), $"frame {i}");
-            }
+            for (int i = 0; i < 3000; i++) Assert.That(clock.Advance(1f / 30f), Is.EqualTo(30).Within(1), $"frame {i}");
 
             Assert.That(clock.StepCount, Is.EqualTo(90000).Within(1));
         }

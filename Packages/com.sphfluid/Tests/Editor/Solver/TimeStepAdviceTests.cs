@@ -67,7 +67,8 @@ namespace SphFluid.Tests
             Assert.That(new[] { advice.Speed, advice.Viscosity, advice.Walls }, Is.All.EqualTo(double.PositiveInfinity));
             Assert.That(advice.Largest * Math.Sqrt(200.0) / 0.05, Is.EqualTo(ThesisRules.AcousticBorder).Within(1e-6));
             Assert.That(advice.Explain(0.6 * advice.Largest), Is.EqualTo(
-                "The time step of 2.86 ms is 60 % of the largest stable one, 4.77 ms, which the speed of sound (10 m/s, liquid at 0 m/s) sets; " +
+                "The time step of 2.86 ms is 60 % of the largest stable one, 4.77 ms, which the speed of sound (10 m/s, liquid at 0 m/s) " +
+                "sets; " +
                 "half of it, by Sound Speed Ratio or in deep liquid Max Compression, would allow 9.55 ms at four times the compression."));
         }
 
@@ -77,17 +78,20 @@ namespace SphFluid.Tests
         {
             FluidSolverSettings viscous = Example();
             viscous.Viscosity = 1000f;
-            Assert.That(FluidRules.Advise(viscous, 2.0).Explain(3e-4), Does.Contain("is 200 %").And.Contain("viscosity (1 m²/s)").And.Contain("allow 0.3 ms."));
+            Assert.That(FluidRules.Advise(viscous, 2.0).Explain(3e-4),
+                Does.Contain("is 200 %").And.Contain("viscosity (1 m²/s)").And.Contain("allow 0.3 ms."));
             viscous.Viscosity *= 0.5f;
             Assert.That(FluidRules.Advise(viscous, 2.0).Largest, Is.EqualTo(3e-4).Within(1e-9));
 
-            Assert.That(FluidRules.Advise(Example(), 5.0).Explain(2e-3), Does.Contain("fastest particle (5 m/s)").And.Contain("Particle Spacing would allow 3.18 ms."),
+            Assert.That(FluidRules.Advise(Example(), 5.0).Explain(2e-3),
+                Does.Contain("fastest particle (5 m/s)").And.Contain("Particle Spacing would allow 3.18 ms."),
                 "twice the displacement, but sound allows no more than 3.18 ms");
 
             FluidSolverSettings hard = Example();
             hard = hard.WithOwn((ref ThesisSettings own) => own.WallStiffness = 1e6f);
             hard = hard.WithOwn((ref ThesisSettings own) => own.WallDamping = 2000f);
-            Assert.That(FluidRules.Advise(hard, 2.0).Explain(8e-4), Does.Contain("stiffness of the walls").And.Contain("Wall Stiffness Ratio would allow 1.63 ms."));
+            Assert.That(FluidRules.Advise(hard, 2.0).Explain(8e-4),
+                Does.Contain("stiffness of the walls").And.Contain("Wall Stiffness Ratio would allow 1.63 ms."));
             hard = hard.WithOwn((ref ThesisSettings own) => own.WallStiffness *= 0.25f);
             hard = hard.WithOwn((ref ThesisSettings own) => own.WallDamping *= 0.5f);
             Assert.That(FluidRules.Advise(hard, 2.0).Largest, Is.EqualTo(1.63068e-3).Within(1e-7));
@@ -96,10 +100,11 @@ namespace SphFluid.Tests
         [TestCase(-1.0)]
         [TestCase(double.NaN)]
         [TestCase(double.PositiveInfinity)]
-        public void BadSpeedIsRefused(double speed) => Assert.Throws<ArgumentOutOfRangeException>(() => FluidRules.Advise(Example(), speed));
+        public void BadSpeedIsRefused(double speed) =>
+        Assert.Throws<ArgumentOutOfRangeException>(() => FluidRules.Advise(Example(), speed));
 
         // c = 10 m/s, R = 5 cm, dx = 2.5 cm, ν = 0.01 m²/s, walls of 160² 1/s² with critical damping.
-        static FluidSolverSettings Example() => new FluidSolverSettings
+        private static FluidSolverSettings Example() => new FluidSolverSettings
         {
             Spacing = 0.025f,
             SupportRadius = 0.05f,

@@ -5,12 +5,14 @@ using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>Walls that hold the liquid: a = −ν (v − v_wall)/(d dx) along the wall where d &lt; dx, a step taking the whole difference at most.</summary>
+    /// <summary>
+    /// Walls that hold the liquid: a = −ν (v − v_wall)/(d dx) along the wall where d &lt; dx, a step taking the whole difference at most.
+    /// </summary>
     public sealed class WallDragTests
     {
-        const float Spacing = 0.02f;
+        private const float Spacing = 0.02f;
 
-        static readonly Vector3 Domain = new Vector3(0.13f, 0.11f, 0.09f);
+        private static readonly Vector3 Domain = new Vector3(0.13f, 0.11f, 0.09f);
 
         [TestCase(1, 0.01f, FluidAxes.None, 1f)]
         [TestCase(255, 0.01f, FluidAxes.None, 1f)]
@@ -30,7 +32,8 @@ namespace SphFluid.Tests
             {
                 Double3 expected = Expected(particles[i], settings);
                 dragged += expected.Length > 0.0 ? 1 : 0;
-                Assert.That((acceleration[i] - expected).Length, Is.LessThanOrEqualTo(2e-5 * (expected.Length + 1.0)), $"particle {i} at {particles[i].Position}");
+                Assert.That((acceleration[i] - expected).Length, Is.LessThanOrEqualTo(2e-5 * (expected.Length + 1.0)),
+                    $"particle {i} at {particles[i].Position}");
             }
 
             Assert.That(dragged, Is.GreaterThan(count / 4).Or.EqualTo(count), "the set exercises the drag");
@@ -118,7 +121,7 @@ namespace SphFluid.Tests
         }
 
         // No push, no gravity, no force of the liquid: what is left is the drag.
-        static FluidSolverSettings Settings(float kinematic)
+        private static FluidSolverSettings Settings(float kinematic)
         {
             FluidSolverSettings settings = TestSettings.ByRule(Domain, Spacing);
             settings.Gravity = Vector3.zero;
@@ -129,7 +132,7 @@ namespace SphFluid.Tests
             return settings;
         }
 
-        static FluidBoundaries Moving(FluidAxes periodic)
+        private static FluidBoundaries Moving(FluidAxes periodic)
         {
             bool x = (periodic & FluidAxes.X) == 0;
             bool y = (periodic & FluidAxes.Y) == 0;
@@ -148,7 +151,7 @@ namespace SphFluid.Tests
         }
 
         // Face by face, then component by component.
-        static Double3 Expected(in FluidParticle particle, FluidSolverSettings s)
+        private static Double3 Expected(in FluidParticle particle, FluidSolverSettings s)
         {
             FluidBoundaries walls = s.Boundaries;
             Vector3[] low = { walls.LowX, walls.LowY, walls.LowZ };
@@ -158,13 +161,11 @@ namespace SphFluid.Tests
             for (int face = 0; face < 6; face++)
             {
                 int axis = face / 2;
-                if (((int)walls.Periodic >> axis & 1) != 0)
-                {
-                    continue;
-                }
+                if (((int)walls.Periodic >> axis & 1) != 0) continue;
 
                 double distance = 0.5 * s.DomainSize[axis] + (face % 2 == 0 ? 1.0 : -1.0) * particle.Position[axis];
-                double rate = distance < s.Spacing ? walls.Friction * s.Viscosity / s.RestDensity / (Math.Max(distance, 0.05 * s.Spacing) * s.Spacing) : 0.0;
+                double rate = distance < s.Spacing
+                    ? walls.Friction * s.Viscosity / s.RestDensity / (Math.Max(distance, 0.05 * s.Spacing) * s.Spacing) : 0.0;
                 for (int along = 0; along < 3; along++)
                 {
                     if (along != axis)
@@ -179,14 +180,11 @@ namespace SphFluid.Tests
             return new Double3(a[0], a[1], a[2]);
         }
 
-        static Double3[] Accelerate(in FluidSolverSettings settings, FluidParticle[] particles, params ReferenceMesh[] meshes)
+        private static Double3[] Accelerate(in FluidSolverSettings settings, FluidParticle[] particles, params ReferenceMesh[] meshes)
         {
             using (var rig = new ThesisRig(settings, particles))
             {
-                if (meshes.Length > 0)
-                {
-                    rig.SetMeshes(meshes);
-                }
+                if (meshes.Length > 0) rig.SetMeshes(meshes);
 
                 rig.State.Published.Density.SetData(particles.Select(_ => 1000f).ToArray());
                 rig.State.Buffers.Force.SetData(new Vector4[particles.Length]);

@@ -8,44 +8,49 @@ namespace SphFluid.Tests
     /// <summary>Every constant that cannot be computed with is refused by its own name.</summary>
     public sealed class WrongNumberTests
     {
-        static readonly string[] PositiveSettings =
+        private static readonly string[] PositiveSettings =
         {
             "Spacing", "SupportRadius", "RestDensity", "ParticleMass", "TimeStep",
         };
 
-        static readonly string[] OtherSettings = { "Viscosity" };
+        private static readonly string[] OtherSettings = { "Viscosity" };
 
-        static readonly string[] PositiveOfThesis = { "Stiffness", "AccelerationLimit" };
+        private static readonly string[] PositiveOfThesis = { "Stiffness", "AccelerationLimit" };
 
-        static readonly string[] OtherOfThesis = { "WallStiffness", "WallDamping", "WallDistance" };
+        private static readonly string[] OtherOfThesis = { "WallStiffness", "WallDamping", "WallDistance" };
 
-        static readonly string[] PositiveInput =
+        private static readonly string[] PositiveInput =
         {
-            "Spacing", "SupportRatio", "RestDensity", "SoundSpeedRatio", "MaxCompression", "TimeStepFraction", "WallDistanceRatio", "MinSpeed",
+            "Spacing", "SupportRatio", "RestDensity", "SoundSpeedRatio", "MaxCompression", "TimeStepFraction",
+            "WallDistanceRatio", "MinSpeed",
         };
 
-        static readonly string[] OtherInput =
+        private static readonly string[] OtherInput =
         {
             "LiquidHeight", "LiquidDepth", "InitialSpeed", "KinematicViscosity", "ViscosityRatio", "WallStiffnessRatio", "WallDampingRatio",
         };
 
         [Test]
-        public void SettingsThatMustBePositiveAre([ValueSource(nameof(PositiveSettings))] string name, [Values(0f, -1f, float.NaN, float.PositiveInfinity)] float bad) =>
+        public void SettingsThatMustBePositiveAre([ValueSource(nameof(PositiveSettings))] string name,
+            [Values(0f, -1f, float.NaN, float.PositiveInfinity)] float bad) =>
             Refuses(name, () => Changed(Settings(), name, bad).Validate());
 
         [Test]
-        public void SettingsThatMayBeZeroAreNotNegative([ValueSource(nameof(OtherSettings))] string name, [Values(-1f, float.NaN, float.PositiveInfinity)] float bad)
+        public void SettingsThatMayBeZeroAreNotNegative([ValueSource(nameof(OtherSettings))] string name,
+            [Values(-1f, float.NaN, float.PositiveInfinity)] float bad)
         {
             Refuses(name, () => Changed(Settings(), name, bad).Validate());
             Assert.That(() => Changed(Settings(), name, 0f).Validate(), Throws.Nothing);
         }
 
         [Test]
-        public void TheThesisMethodsOwnMustBePositive([ValueSource(nameof(PositiveOfThesis))] string name, [Values(0f, -1f, float.NaN, float.PositiveInfinity)] float bad) =>
+        public void TheThesisMethodsOwnMustBePositive([ValueSource(nameof(PositiveOfThesis))] string name,
+            [Values(0f, -1f, float.NaN, float.PositiveInfinity)] float bad) =>
             Refuses(name, () => OfThesis(name, bad).Validate());
 
         [Test]
-        public void TheThesisMethodsOwnThatMayBeZeroIsNotNegative([ValueSource(nameof(OtherOfThesis))] string name, [Values(-1f, float.NaN, float.PositiveInfinity)] float bad)
+        public void TheThesisMethodsOwnThatMayBeZeroIsNotNegative([ValueSource(nameof(OtherOfThesis))] string name,
+            [Values(-1f, float.NaN, float.PositiveInfinity)] float bad)
         {
             Refuses(name, () => OfThesis(name, bad).Validate());
             Assert.That(() => OfThesis(name, 0f).Validate(), Throws.Nothing);
@@ -79,20 +84,21 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void RulesRefuseWhatMustBePositive([ValueSource(nameof(PositiveInput))] string name, [Values(0f, -1f, float.NaN)] float bad) =>
+        public void RulesRefuseWhatMustBePositive([ValueSource(nameof(PositiveInput))] string name,
+            [Values(0f, -1f, float.NaN)] float bad) =>
             Refuses(name, () => FluidRules.Derive(Changed(Input(), name, bad)));
 
         [Test]
         public void RulesRefuseWhatMayNotBeNegative([ValueSource(nameof(OtherInput))] string name, [Values(-1f, float.NaN)] float bad) =>
             Refuses(name, () => FluidRules.Derive(Changed(Input(), name, bad)));
 
-        static void Refuses(string name, TestDelegate act)
+        private static void Refuses(string name, TestDelegate act)
         {
             var error = Assert.Throws<ArgumentException>(act);
             Assert.That(error.Message, Does.StartWith(name + " is "));
         }
 
-        static T Changed<T>(T value, string field, float number) where T : struct
+        private static T Changed<T>(T value, string field, float number) where T : struct
         {
             object boxed = value;
             FieldInfo found = typeof(T).GetField(field);
@@ -101,11 +107,12 @@ namespace SphFluid.Tests
             return (T)boxed;
         }
 
-        static FluidSolverSettings OfThesis(string name, float bad) => Settings().WithOwn(Changed(Settings().Own<ThesisSettings>(), name, bad));
+        private static FluidSolverSettings OfThesis(string name, float bad) =>
+            Settings().WithOwn(Changed(Settings().Own<ThesisSettings>(), name, bad));
 
-        static FluidSolverSettings Settings() => TestSettings.ByRule(Vector3.one, 0.05f);
+        private static FluidSolverSettings Settings() => TestSettings.ByRule(Vector3.one, 0.05f);
 
-        static FluidRuleInput Input()
+        private static FluidRuleInput Input()
         {
             FluidRuleInput input = FluidRuleInput.ThesisWater;
             input.DomainSize = Vector3.one;

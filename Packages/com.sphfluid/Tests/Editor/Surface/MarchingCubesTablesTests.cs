@@ -8,7 +8,7 @@ namespace SphFluid.Tests
     /// <summary>All 256 cases of the tables, without a GPU.</summary>
     public sealed class MarchingCubesTablesTests
     {
-        const int Edges = 12;
+        private const int Edges = 12;
 
         [Test]
         public void CutEdgesAreThoseWhoseCornersLieOnBothSides()
@@ -43,8 +43,10 @@ namespace SphFluid.Tests
                 Assert.AreEqual(0, row.Count % 3, $"case {index}");
                 Assert.LessOrEqual(row.Count, 15, $"case {index}");
                 for (int slot = row.Count; slot < MarchingCubesTables.RowLength; slot++)
+                {
                     Assert.AreEqual(-1, MarchingCubesTables.TriangleTable[index * MarchingCubesTables.RowLength + slot],
                         $"case {index}, slot {slot}");
+                }
             }
         }
 
@@ -56,7 +58,9 @@ namespace SphFluid.Tests
             for (int index = 0; index < MarchingCubesTables.CaseCount; index++)
             {
                 foreach ((int from, int to) in OpenSides(index))
+                {
                     Assert.IsTrue(InCommonFace(from, to), $"case {index}, edges {from} and {to}");
+                }
             }
         }
 
@@ -111,23 +115,23 @@ namespace SphFluid.Tests
             Assert.AreEqual(MarchingCubesTables.TriangleTable[254 * 16], packed[256 + 254 * 16]);
             Assert.AreEqual(MarchingCubesTables.EdgeCorners[23], packed[4352 + 23]);
             for (int index = 0; index < MarchingCubesTables.CaseCount; index++)
+            {
                 Assert.AreEqual(Row(index).Count, packed[4376 + index], $"case {index}");
+            }
         }
 
-        static void CompareJoints(Dictionary<int, string> joints, int index, int axis, int side, int direction)
+        private static void CompareJoints(Dictionary<int, string> joints, int index, int axis, int side, int direction)
         {
             int signs = 0;
             for (int corner = 0; corner < 8; corner++)
             {
                 Vector3Int offset = SurfaceGrid.CornerOffset(corner);
-                if (offset[axis] == side && (index >> corner & 1) != 0)
-                    signs |= 1 << (offset[(axis + 1) % 3] + 2 * offset[(axis + 2) % 3]);
+                if (offset[axis] == side && (index >> corner & 1) != 0) signs |= 1 << (offset[(axis + 1) % 3] + 2 * offset[(axis + 2) % 3]);
             }
             var found = new List<string>();
             foreach ((int from, int to) in OpenSides(index))
             {
-                if (Doubled(from)[axis] != 2 * side || Doubled(to)[axis] != 2 * side)
-                    continue;
+                if (Doubled(from)[axis] != 2 * side || Doubled(to)[axis] != 2 * side) continue;
                 found.Add(direction > 0
                     ? Flat(from, axis) + ">" + Flat(to, axis)
                     : Flat(to, axis) + ">" + Flat(from, axis));
@@ -140,35 +144,35 @@ namespace SphFluid.Tests
                 joints.Add(signs, all);
         }
 
-        static List<(int from, int to)> OpenSides(int index)
+        private static List<(int from, int to)> OpenSides(int index)
         {
             List<int> row = Row(index);
             var sides = new List<(int from, int to)>();
             for (int i = 0; i < row.Count; i++)
             {
                 int next = i % 3 == 2 ? i - 2 : i + 1;
-                if (!sides.Remove((row[next], row[i])))
-                    sides.Add((row[i], row[next]));
+                if (!sides.Remove((row[next], row[i]))) sides.Add((row[i], row[next]));
             }
             return sides;
         }
 
-        static List<int> Row(int index) =>
-            MarchingCubesTables.TriangleTable.Skip(index * MarchingCubesTables.RowLength).Take(MarchingCubesTables.RowLength).TakeWhile(edge => edge >= 0).ToList();
+        private static List<int> Row(int index) =>
+            MarchingCubesTables.TriangleTable.Skip(index * MarchingCubesTables.RowLength).Take(MarchingCubesTables.RowLength)
+                .TakeWhile(edge => edge >= 0).ToList();
 
-        static Vector3Int Corner(int edge, int end) =>
+        private static Vector3Int Corner(int edge, int end) =>
             SurfaceGrid.CornerOffset(MarchingCubesTables.EdgeCorners[2 * edge + end]);
 
-        static Vector3Int Doubled(int edge) => Corner(edge, 0) + Corner(edge, 1);
+        private static Vector3Int Doubled(int edge) => Corner(edge, 0) + Corner(edge, 1);
 
-        static Vector3 Midpoint(int edge) => (Vector3)Doubled(edge) * 0.5f;
+        private static Vector3 Midpoint(int edge) => (Vector3)Doubled(edge) * 0.5f;
 
-        static string Flat(int edge, int axis) => $"{Doubled(edge)[(axis + 1) % 3]}{Doubled(edge)[(axis + 2) % 3]}";
+        private static string Flat(int edge, int axis) => $"{Doubled(edge)[(axis + 1) % 3]}{Doubled(edge)[(axis + 2) % 3]}";
 
-        static bool Outside(int index, int edge, int end) =>
+        private static bool Outside(int index, int edge, int end) =>
             (index >> MarchingCubesTables.EdgeCorners[2 * edge + end] & 1) != 0;
 
-        static bool InCommonFace(int a, int b)
+        private static bool InCommonFace(int a, int b)
         {
             Vector3Int p = Doubled(a);
             Vector3Int q = Doubled(b);

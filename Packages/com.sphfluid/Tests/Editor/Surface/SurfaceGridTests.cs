@@ -31,8 +31,7 @@ namespace SphFluid.Tests
             {
                 for (int y = 0; y <= 3; y++)
                 {
-                    for (int x = 0; x <= 2; x++)
-                        Assert.AreEqual(next++, grid.Index(x, y, z));
+                    for (int x = 0; x <= 2; x++) Assert.AreEqual(next++, grid.Index(x, y, z));
                 }
             }
         }

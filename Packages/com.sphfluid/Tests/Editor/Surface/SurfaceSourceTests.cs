@@ -6,15 +6,15 @@ namespace SphFluid.Tests
     /// <summary>When a component's surface is made anew.</summary>
     public sealed class SurfaceSourceTests
     {
-        const float Spacing = 0.05f;
-        static readonly Vector3 Domain = new Vector3(0.9f, 0.7f, 0.5f);
+        private const float Spacing = 0.05f;
+        private static readonly Vector3 Domain = new Vector3(0.9f, 0.7f, 0.5f);
 
-        FluidShaderSet shaders;
-        FluidParticle[] particles;
-        FluidSolver solver;
-        SurfaceSource source;
-        FluidSurfaceOptions options;
-        int drops;
+        private FluidShaderSet shaders;
+        private FluidParticle[] particles;
+        private FluidSolver solver;
+        private SurfaceSource source;
+        private FluidSurfaceOptions options;
+        private int drops;
 
         [SetUp]
         public void SetUp()
@@ -39,8 +39,7 @@ namespace SphFluid.Tests
         {
             Settle();
             int made = source.Surface.Recordings;
-            for (int frame = 0; frame < 3; frame++)
-                Assert.IsFalse(Make());
+            for (int frame = 0; frame < 3; frame++) Assert.IsFalse(Make());
             Assert.AreEqual(made, source.Surface.Recordings);
         }
 
@@ -123,7 +122,7 @@ namespace SphFluid.Tests
             Assert.IsTrue(source.Surface.IsSettled);
         }
 
-        void Settle()
+        private void Settle()
         {
             for (int frame = 0; frame < 5 && (frame == 0 || !source.Surface.IsSettled); frame++)
             {
@@ -133,7 +132,7 @@ namespace SphFluid.Tests
             Assert.IsTrue(source.Surface.IsSettled);
         }
 
-        bool Make()
+        private bool Make()
         {
             Assert.IsTrue(source.Request(solver, options, drops, shaders, out _));
             return source.Make();

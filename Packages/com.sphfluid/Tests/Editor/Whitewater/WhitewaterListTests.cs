@@ -9,8 +9,8 @@ namespace SphFluid.Tests
     /// <summary>Which whitewater is left and which is born: the same to the piece, in the same order, as on the CPU.</summary>
     public sealed class WhitewaterListTests
     {
-        const float Duration = 1f / 50f, FoamLife = 3f;
-        const int Step = 4711;
+        private const float Duration = 1f / 50f, FoamLife = 3f;
+        private const int Step = 4711;
 
         [TestCase(0, 1, 5000)]
         [TestCase(1, 255, 5000)]
@@ -24,7 +24,8 @@ namespace SphFluid.Tests
         public void WhatIsLeftComesFirstThenWhatIsBorn(int count, int particles, int capacity)
         {
             WhitewaterPiece[] before = WhitewaterPiece.Random(count, WhitewaterRig.Domain, 1f, 0.4, count);
-            using (var rig = new WhitewaterRig(WhitewaterRig.Settings(FluidMethodKind.Standard), ParticleSets.Random(particles, WhitewaterRig.Domain, 2f, particles), capacity))
+            using (var rig = new WhitewaterRig(WhitewaterRig.Settings(FluidMethodKind.Standard),
+                ParticleSets.Random(particles, WhitewaterRig.Domain, 2f, particles), capacity))
             {
                 float[] asked = Ask(rig, particles, 3.0);
                 var requested = (uint)(asked.Sum(a => (double)a) * 256.0);
@@ -50,7 +51,8 @@ namespace SphFluid.Tests
                 Assert.AreEqual(10 + bornCount, state[4], "births since the start");
                 double expectedRefused = share < 1f ? Math.Max(0.0, Math.Round(requested / 256.0) - bornCount) : 0.0;
                 Assert.AreEqual(20.0 + expectedRefused, state[5], 1.0, "refused since the start");
-                CollectionAssert.AreEqual(new[] { (uint)(3 * listed.Length), 1u, 0u, 0u }, GpuTest.Read<uint>(rig.Buffers.DrawArguments, 4));
+                CollectionAssert.AreEqual(new[] { (uint)(3 * listed.Length), 1u, 0u, 0u },
+                    GpuTest.Read<uint>(rig.Buffers.DrawArguments, 4));
             }
         }
 
@@ -58,7 +60,8 @@ namespace SphFluid.Tests
         public void WhereThereAreTooFewPlacesLiquidEverywhereBringsForthLess()
         {
             const int particles = 4096;
-            using (var rig = new WhitewaterRig(WhitewaterRig.Settings(FluidMethodKind.Standard), ParticleSets.Random(particles, WhitewaterRig.Domain, 2f, 1), 2000))
+            using (var rig = new WhitewaterRig(WhitewaterRig.Settings(FluidMethodKind.Standard),
+                ParticleSets.Random(particles, WhitewaterRig.Domain, 2f, 1), 2000))
             {
                 float[] asked = Ask(rig, particles, 4.0);
                 rig.Put(new WhitewaterPiece[0], (3, (uint)(asked.Sum(a => (double)a) * 256.0)));
@@ -86,24 +89,27 @@ namespace SphFluid.Tests
         }
 
         // Gives each particle births, none to half of them, and normals to some.
-        static float[] Ask(WhitewaterRig rig, int particles, double most)
+        private static float[] Ask(WhitewaterRig rig, int particles, double most)
         {
             var random = new System.Random(particles);
-            float[] asked = Enumerable.Range(0, particles).Select(_ => random.NextDouble() < 0.5 ? 0f : (float)(most * random.NextDouble())).ToArray();
+            float[] asked = Enumerable.Range(0, particles)
+                .Select(_ => random.NextDouble() < 0.5 ? 0f : (float)(most * random.NextDouble())).ToArray();
             rig.Buffers.Potentials.SetData(asked.Select(a => new Vector4(1f, 2f, 3f, a)).ToArray());
             rig.Buffers.Normals.SetData(asked.Select((_, i) => i % 3 == 0 ? Vector4.zero : new Vector4(0f, 1f, 0f, 5f)).ToArray());
             return asked;
         }
 
         // In a cylinder around its parent, moving on with it; its look depends on the hash.
-        static void AssertBorn((FluidParticle parent, uint k, Vector3 normal) birth, WhitewaterPiece piece, string what)
+        private static void AssertBorn((FluidParticle parent, uint k, Vector3 normal) birth, WhitewaterPiece piece, string what)
         {
-            (uint x, uint y, uint z) place = Hash(birth.parent.Id, Step, 2u * birth.k + 1u), chance = Hash(birth.parent.Id, Step, 2u * birth.k + 2u);
+            (uint x, uint y, uint z) place = Hash(birth.parent.Id, Step, 2u * birth.k + 1u),
+                chance = Hash(birth.parent.Id, Step, 2u * birth.k + 2u);
             Double3 v = birth.parent.VelT1, along = v / v.Length;
             double age = Unit(chance.x) * Duration, half = 0.5 * WhitewaterRig.Spacing, reach = Math.Sqrt(Unit(place.x));
             Assert.AreEqual(age, piece.Age, 1e-6, what + ": age");
             Assert.AreEqual(FoamLife * (0.25 + 0.75 * Unit(chance.y)), piece.Life, 1e-5, what + ": life");
-            Assert.AreEqual((chance.z & ~3u) | (birth.normal == Vector3.zero ? WhitewaterPiece.Bubble : WhitewaterPiece.Foam), piece.Seed, what + ": seed");
+            Assert.AreEqual((chance.z & ~3u) | (birth.normal == Vector3.zero ? WhitewaterPiece.Bubble : WhitewaterPiece.Foam), piece.Seed,
+                what + ": seed");
             Assert.AreEqual(birth.normal, piece.Normal, what + ": normal");
             Double3 spread = (Double3)piece.Velocity - v;
             Assert.AreEqual(0.0, Double3.Dot(spread, along), 1e-4, what + ": velocity along its parent's");
@@ -115,13 +121,14 @@ namespace SphFluid.Tests
             Assert.AreEqual(half * reach + spread.Length * age, across.Length, 1e-5, what + ": from the cylinder's axis");
         }
 
-        static bool IsAtWall(Vector3 p) => Math.Abs(p.x) > 0.49999f * WhitewaterRig.Domain.x || Math.Abs(p.y) > 0.49999f * WhitewaterRig.Domain.y ||
+        private static bool IsAtWall(Vector3 p) => Math.Abs(p.x) > 0.49999f * WhitewaterRig.Domain.x ||
+            Math.Abs(p.y) > 0.49999f * WhitewaterRig.Domain.y ||
             Math.Abs(p.z) > 0.49999f * WhitewaterRig.Domain.z;
 
-        static float Unit(uint bits) => (bits >> 8) / 16777216f;
+        private static float Unit(uint bits) => (bits >> 8) / 16777216f;
 
         // PCG3D of Jarzynski and Olano 2020.
-        static (uint x, uint y, uint z) Hash(uint x, uint y, uint z)
+        private static (uint x, uint y, uint z) Hash(uint x, uint y, uint z)
         {
             unchecked
             {

@@ -7,7 +7,7 @@ namespace SphFluid.Tests
     /// <summary>What whitewater is and where it goes, against the paper's rules over all particles in double precision.</summary>
     public sealed class WhitewaterMotionTests
     {
-        const float Duration = 1f / 40f;
+        private const float Duration = 1f / 40f;
 
         [TestCase(FluidMethodKind.Standard, 0, FluidAxes.None, FluidFaces.None)]
         [TestCase(FluidMethodKind.Standard, 1, FluidAxes.None, FluidFaces.None)]
@@ -79,7 +79,7 @@ namespace SphFluid.Tests
         }
 
         // A plate from x = -0.05 to 0.05; a piece flies at it, in liquid or in air, or it moves at a piece that rests.
-        static WhitewaterPiece ShotAtAPlate(Vector3 motion, bool liquid, out Vector3 place)
+        private static WhitewaterPiece ShotAtAPlate(Vector3 motion, bool liquid, out Vector3 place)
         {
             FluidSolverSettings settings = WhitewaterRig.Settings(FluidMethodKind.Standard);
             settings.Gravity = 1e-6f * Vector3.down;
@@ -97,7 +97,9 @@ namespace SphFluid.Tests
                 obstacles.Update(Matrix4x4.identity);
                 rig.Solver.SetObstacles(obstacles);
                 GpuTest.Run(rig.Solver.RecordNeighbourSetup);
-                rig.Put(new[] { new WhitewaterPiece { Position = new Vector3(-0.1f, 0.01f, 0.02f), Velocity = motion == Vector3.zero ? 4f * Vector3.right : Vector3.zero, Life = 2f } });
+                rig.Put(
+                    new[] { new WhitewaterPiece { Position = new Vector3(-0.1f, 0.01f, 0.02f),
+                        Velocity = motion == Vector3.zero ? 4f * Vector3.right : Vector3.zero, Life = 2f } });
                 WhitewaterPiece moved = rig.Move(1, Duration)[0];
                 place = moved.Position;
                 return moved;

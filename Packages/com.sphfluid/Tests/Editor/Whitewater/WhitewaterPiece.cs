@@ -5,7 +5,7 @@ namespace SphFluid.Tests
 {
     /// <summary>A piece of whitewater as it lies on the GPU: WhitewaterParticle in Shaders/Whitewater/WhitewaterTypes.hlsl.</summary>
     [StructLayout(LayoutKind.Sequential)]
-    struct WhitewaterPiece
+    internal struct WhitewaterPiece
     {
         public const uint Spray = 0, Foam = 1, Bubble = 2;
 

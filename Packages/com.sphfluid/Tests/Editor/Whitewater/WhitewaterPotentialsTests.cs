@@ -22,10 +22,12 @@ namespace SphFluid.Tests
             using (var rig = new WhitewaterRig(settings, ParticleSets.Random(count, 0.9f * WhitewaterRig.Domain, 2f, count)))
             {
                 var means = new Vector3(30f, 2f, 7f);
-                rig.Put(new WhitewaterPiece[0], (9, WhitewaterRig.Bits(means.x)), (10, WhitewaterRig.Bits(means.y)), (11, WhitewaterRig.Bits(means.z)));
+                rig.Put(new WhitewaterPiece[0], (9, WhitewaterRig.Bits(means.x)), (10, WhitewaterRig.Bits(means.y)),
+                    (11, WhitewaterRig.Bits(means.z)));
                 rig.Measure(amount, duration);
                 var reference = new WhitewaterReference(rig.Particles, settings);
-                Vector4[] normals = GpuTest.Read<Vector4>(rig.Buffers.Normals, count), found = GpuTest.Read<Vector4>(rig.Buffers.Potentials, count);
+                Vector4[] normals = GpuTest.Read<Vector4>(rig.Buffers.Normals, count),
+                    found = GpuTest.Read<Vector4>(rig.Buffers.Potentials, count);
                 int certain = 0;
                 double births = 0.0;
                 for (int i = 0; i < count; i++)
@@ -37,7 +39,8 @@ namespace SphFluid.Tests
                     Assert.AreEqual(reference.Crest[i], found[i].y, 1e-3, $"crest of {i}");
                     Assert.AreEqual(reference.Energy(i), found[i].z, 1e-5 * (1.0 + reference.Energy(i)), $"energy of {i}");
                     Assert.AreEqual(reference.Births(i, means, amount, duration), found[i].w, 2e-3, $"births of {i}");
-                    Assert.AreEqual(0.0, ((Double3)new Vector3(normals[i].x, normals[i].y, normals[i].z) - reference.Normals[i]).Length, 1e-3, $"normal of {i}");
+                    Assert.AreEqual(0.0, ((Double3)new Vector3(normals[i].x, normals[i].y, normals[i].z) - reference.Normals[i]).Length,
+                        1e-3, $"normal of {i}");
                 }
                 Assert.That(certain, Is.GreaterThan(0.95 * count));
                 uint[] state = rig.State;
@@ -53,7 +56,8 @@ namespace SphFluid.Tests
         [Test]
         public void LimitsAreMeansOverTheLastSecondsByTheLengthsOfFrames()
         {
-            using (var rig = new WhitewaterRig(WhitewaterRig.Settings(FluidMethodKind.Standard), ParticleSets.Random(257, WhitewaterRig.Domain, 2f, 1)))
+            using (var rig = new WhitewaterRig(WhitewaterRig.Settings(FluidMethodKind.Standard),
+                ParticleSets.Random(257, WhitewaterRig.Domain, 2f, 1)))
             {
                 rig.Put(new WhitewaterPiece[0]);
                 rig.Measure(1f, 0.5f);

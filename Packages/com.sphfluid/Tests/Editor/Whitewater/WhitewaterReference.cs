@@ -4,15 +4,18 @@ using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>Potentials and motion of whitewater by their definitions, over all pairs in double precision; written from the paper, not from the shaders.</summary>
-    sealed class WhitewaterReference
+    /// <summary>
+    /// Potentials and motion of whitewater by their definitions, over all pairs in double precision; written from the paper, not from the
+    /// shaders.
+    /// </summary>
+    internal sealed class WhitewaterReference
     {
         // Nearer to a threshold than this, rounding decides.
-        const double Doubt = 2e-5;
+        private const double Doubt = 2e-5;
 
-        readonly IReadOnlyList<FluidParticle> particles;
-        readonly FluidSolverSettings settings;
-        readonly double radius;
+        private readonly IReadOnlyList<FluidParticle> particles;
+        private readonly FluidSolverSettings settings;
+        private readonly double radius;
 
         public WhitewaterReference(IReadOnlyList<FluidParticle> particles, in FluidSolverSettings settings)
         {
@@ -109,7 +112,8 @@ namespace SphFluid.Tests
             if ((to - inside).Length > 0.0)
             {
                 double slide = kind == WhitewaterPiece.Spray ? 0.6 : 1.0, bounce = kind == WhitewaterPiece.Spray ? -0.2 : -0.2 / 0.6;
-                next = new Double3(next.X * (to.X != inside.X ? bounce : slide), next.Y * (to.Y != inside.Y ? bounce : slide), next.Z * (to.Z != inside.Z ? bounce : slide));
+                next = new Double3(next.X * (to.X != inside.X ? bounce : slide), next.Y * (to.Y != inside.Y ? bounce : slide),
+                    next.Z * (to.Z != inside.Z ? bounce : slide));
                 if (kind == WhitewaterPiece.Spray) ageing = piece.Life / 0.2;
             }
             if (isDoubtful) return null;
@@ -125,7 +129,7 @@ namespace SphFluid.Tests
             };
         }
 
-        void Surround(int i)
+        private void Surround(int i)
         {
             double weights = 1.0, air = 0.0;
             Double3 offset = Double3.Zero;
@@ -147,7 +151,7 @@ namespace SphFluid.Tests
             IsDoubtful[i] = Math.Abs(reach - 0.12) < Doubt;
         }
 
-        void Bulge(int i, bool[] doubtful)
+        private void Bulge(int i, bool[] doubtful)
         {
             Double3 normal = Normals[i], v = particles[i].VelT1;
             if (normal.Length == 0.0) return;
@@ -159,20 +163,24 @@ namespace SphFluid.Tests
                 double q = d.Length / radius, below = Double3.Dot(d, normal) / radius;
                 if (j == i || q >= 1.0) continue;
                 IsDoubtful[i] |= doubtful[j] || Math.Abs(below) < Doubt;
-                if (forward >= 0.0 && below > 0.0 && Normals[j].Length > 0.0) Crest[i] += (1.0 - Double3.Dot(normal, Normals[j])) * (1.0 - q);
+                if (forward >= 0.0 && below > 0.0 && Normals[j].Length > 0.0)
+                {
+                    Crest[i] += (1.0 - Double3.Dot(normal, Normals[j])) * (1.0 - q);
+                }
             }
         }
 
-        static double Part(double value, double upper) => Math.Min(Math.Max((value / upper - 0.1) / 0.9, 0.0), 1.0);
+        private static double Part(double value, double upper) => Math.Min(Math.Max((value / upper - 0.1) / 0.9, 0.0), 1.0);
 
-        static Vector3 Single(Double3 v) => new Vector3((float)v.X, (float)v.Y, (float)v.Z);
+        private static Vector3 Single(Double3 v) => new Vector3((float)v.X, (float)v.Y, (float)v.Z);
 
-        bool IsWall(FluidFaces face) => ((settings.Boundaries.Open | FluidBoundaries.FacesOf(settings.Boundaries.Periodic)) & face) == 0;
+        private bool IsWall(FluidFaces face) =>
+            ((settings.Boundaries.Open | FluidBoundaries.FacesOf(settings.Boundaries.Periodic)) & face) == 0;
 
-        bool IsOpen(FluidFaces face) => (settings.Boundaries.Open & face) != 0;
+        private bool IsOpen(FluidFaces face) => (settings.Boundaries.Open & face) != 0;
 
         // Of the walls [R], 1 at most.
-        double Distance(double x, double size, FluidFaces low, FluidFaces high)
+        private double Distance(double x, double size, FluidFaces low, FluidFaces high)
         {
             double nearest = radius;
             if (IsWall(low)) nearest = Math.Min(nearest, x + 0.5 * size);
@@ -180,54 +188,59 @@ namespace SphFluid.Tests
             return Math.Max(nearest, 0.0) / radius;
         }
 
-        Double3 Distances(Double3 x) => new Double3(
+        private Double3 Distances(Double3 x) => new Double3(
             Distance(x.X, settings.DomainSize.x, FluidFaces.LowX, FluidFaces.HighX),
             Distance(x.Y, settings.DomainSize.y, FluidFaces.LowY, FluidFaces.HighY),
             Distance(x.Z, settings.DomainSize.z, FluidFaces.LowZ, FluidFaces.HighZ));
 
-        double BallPart(Double3 x)
+        private double BallPart(Double3 x)
         {
             Double3 s = Distances(x);
             double Of(double d) => 0.5 + 0.75 * d - 0.25 * d * d * d; // of a unit ball on the inner side of a plane at distance d
             return Of(s.X) * Of(s.Y) * Of(s.Z);
         }
 
-        Double3 Fade(Double3 x, Double3 v)
+        private Double3 Fade(Double3 x, Double3 v)
         {
             Double3 s = Distances(x);
             double Of(double d) => d * d * (3.0 - 2.0 * d);
             return new Double3(v.X * Of(s.X), v.Y * Of(s.Y), v.Z * Of(s.Z));
         }
 
-        double Clamp(double x, double size, FluidFaces low, FluidFaces high, double inset)
+        private double Clamp(double x, double size, FluidFaces low, FluidFaces high, double inset)
         {
             if (IsWall(low)) x = Math.Max(x, -0.5 * size + inset);
             return IsWall(high) ? Math.Min(x, 0.5 * size - inset) : x;
         }
 
-        Double3 Clamp(Double3 x, double inset) => new Double3(
+        private Double3 Clamp(Double3 x, double inset) => new Double3(
             Clamp(x.X, settings.DomainSize.x, FluidFaces.LowX, FluidFaces.HighX, inset),
             Clamp(x.Y, settings.DomainSize.y, FluidFaces.LowY, FluidFaces.HighY, inset),
             Clamp(x.Z, settings.DomainSize.z, FluidFaces.LowZ, FluidFaces.HighZ, inset));
 
         // Where rounding decides whether a face is reached.
-        bool IsAtFace(Double3 x, double inset)
+        private bool IsAtFace(Double3 x, double inset)
         {
-            bool At(double p, double size) => Math.Abs(Math.Abs(p) - 0.5 * size) < Doubt || Math.Abs(Math.Abs(p) - 0.5 * size + inset) < Doubt;
+            bool At(double p, double size) => Math.Abs(Math.Abs(p) - 0.5 * size) < Doubt ||
+                Math.Abs(Math.Abs(p) - 0.5 * size + inset) < Doubt;
             return At(x.X, settings.DomainSize.x) || At(x.Y, settings.DomainSize.y) || At(x.Z, settings.DomainSize.z);
         }
 
-        bool IsWithinOpenFaces(Double3 x)
+        private bool IsWithinOpenFaces(Double3 x)
         {
-            bool Is(double p, double size, FluidFaces low, FluidFaces high) => !(IsOpen(low) && p < -0.5 * size) && !(IsOpen(high) && p > 0.5 * size);
-            return Is(x.X, settings.DomainSize.x, FluidFaces.LowX, FluidFaces.HighX) && Is(x.Y, settings.DomainSize.y, FluidFaces.LowY, FluidFaces.HighY) &&
+            bool Is(double p, double size, FluidFaces low, FluidFaces high) => !(IsOpen(low) && p < -0.5 * size) &&
+                !(IsOpen(high) && p > 0.5 * size);
+            return Is(x.X, settings.DomainSize.x, FluidFaces.LowX, FluidFaces.HighX) &&
+                Is(x.Y, settings.DomainSize.y, FluidFaces.LowY, FluidFaces.HighY) &&
                 Is(x.Z, settings.DomainSize.z, FluidFaces.LowZ, FluidFaces.HighZ);
         }
 
-        static double Nearest(double d, double period) => period > 0.0 ? d - period * Math.Round(d / period) : d;
+        private static double Nearest(double d, double period) => period > 0.0 ? d - period * Math.Round(d / period) : d;
 
-        Double3 Wrap(Double3 x) => new Double3(Nearest(x.X, settings.PeriodLength.x), Nearest(x.Y, settings.PeriodLength.y), Nearest(x.Z, settings.PeriodLength.z));
+        private Double3 Wrap(Double3 x) =>
+            new Double3(Nearest(x.X, settings.PeriodLength.x), Nearest(x.Y, settings.PeriodLength.y),
+                Nearest(x.Z, settings.PeriodLength.z));
 
-        Double3 Separation(Double3 a, Double3 b) => Wrap(a - b);
+        private Double3 Separation(Double3 a, Double3 b) => Wrap(a - b);
     }
 }

@@ -4,12 +4,12 @@ using UnityEngine;
 namespace SphFluid.Tests
 {
     /// <summary>A liquid and its whitewater, to test one pass at a time.</summary>
-    sealed class WhitewaterRig : IDisposable
+    internal sealed class WhitewaterRig : IDisposable
     {
         public const float Spacing = 0.05f;
         public static readonly Vector3 Domain = new Vector3(1f, 0.8f, 0.9f);
 
-        readonly FluidShaderSet shaders;
+        private readonly FluidShaderSet shaders;
 
         public WhitewaterRig(in FluidSolverSettings settings, FluidParticle[] particles, int capacity = 1)
         {
@@ -26,7 +26,8 @@ namespace SphFluid.Tests
         public WhitewaterBuffers Buffers { get; }
 
         /// <summary>Water in <see cref="Domain"/>.</summary>
-        public static FluidSolverSettings Settings(FluidMethodKind method, FluidAxes periodic = FluidAxes.None, FluidFaces open = FluidFaces.None)
+        public static FluidSolverSettings Settings(FluidMethodKind method, FluidAxes periodic = FluidAxes.None,
+            FluidFaces open = FluidFaces.None)
         {
             FluidRuleInput input = method == FluidMethodKind.Standard ? FluidRuleInput.Water : FluidRuleInput.ThesisWater;
             input.Method = method;

@@ -9,9 +9,9 @@ namespace SphFluid.Tests
     /// <summary>A liquid's mesh as a camera sees it, drawn with a material that knows nothing of liquids.</summary>
     public sealed class DrawnMeshTests
     {
-        SimulationRig rig;
-        PictureRig picture;
-        Material material;
+        private SimulationRig rig;
+        private PictureRig picture;
+        private Material material;
 
         [SetUp]
         public void SetUp()
@@ -20,7 +20,9 @@ namespace SphFluid.Tests
             picture = new PictureRig(96, 96, 0.3f);
             Shader standard = Shader.Find("Standard");
             if (standard == null || GraphicsSettings.currentRenderPipeline != null)
+            {
                 Assert.Ignore("The shader 'Standard' belongs to the built-in render pipeline.");
+            }
             material = new Material(standard) { color = Color.red };
         }
 
@@ -88,7 +90,7 @@ namespace SphFluid.Tests
             Assert.Less(shadow, 0.7f * beside);
         }
 
-        GameObject Child(FluidSimulation simulation, Vector3 scale)
+        private GameObject Child(FluidSimulation simulation, Vector3 scale)
         {
             GameObject child = rig.NewObject("Mesh");
             child.transform.position = new Vector3(0.1f, 0f, 0f);
@@ -98,7 +100,7 @@ namespace SphFluid.Tests
             return child;
         }
 
-        MeshRenderer Show(GameObject holder)
+        private MeshRenderer Show(GameObject holder)
         {
             holder.AddComponent<FluidSurfaceMesh>();
             var seen = holder.AddComponent<MeshRenderer>();
@@ -106,17 +108,16 @@ namespace SphFluid.Tests
             return seen;
         }
 
-        static bool IsRed(Color pixel) => pixel.r > 2f * pixel.g && pixel.r > 0.1f;
+        private static bool IsRed(Color pixel) => pixel.r > 2f * pixel.g && pixel.r > 0.1f;
 
-        static int Count(Color[] pixels, System.Predicate<Color> which)
+        private static int Count(Color[] pixels, System.Predicate<Color> which)
         {
             int count = 0;
-            foreach (Color pixel in pixels)
-                count += which(pixel) ? 1 : 0;
+            foreach (Color pixel in pixels) count += which(pixel) ? 1 : 0;
             return count;
         }
 
-        static float Brightness(Color[] pixels)
+        private static float Brightness(Color[] pixels)
         {
             float sum = 0f;
             int count = 0;

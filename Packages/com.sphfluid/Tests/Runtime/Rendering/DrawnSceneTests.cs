@@ -8,11 +8,11 @@ namespace SphFluid.Tests
     /// <summary>Whole frames as a camera sees them: two liquids at once, each with its own drawing.</summary>
     public sealed class DrawnSceneTests
     {
-        const int Width = 128;
-        const int Height = 64;
+        private const int Width = 128;
+        private const int Height = 64;
 
-        SimulationRig rig;
-        PictureRig view;
+        private SimulationRig rig;
+        private PictureRig view;
 
         [SetUp]
         public void SetUp()
@@ -33,8 +33,7 @@ namespace SphFluid.Tests
         {
             var left = rig.Create("Left", position: new Vector3(-0.25f, 0f, 0f)).gameObject.AddComponent<FluidParticleRenderer>();
             var right = rig.Create("Right", position: new Vector3(0.25f, 0f, 0f)).gameObject.AddComponent<FluidGeometrySurfaceRenderer>();
-            if (right.MissingSupport() != null)
-                Assert.Ignore(right.MissingSupport());
+            if (right.MissingSupport() != null) Assert.Ignore(right.MissingSupport());
             left.Color = Color.red;
             right.Color = Color.green;
             right.GridSize = SurfaceGridSize.Cells32;
@@ -57,8 +56,7 @@ namespace SphFluid.Tests
             FluidSimulation simulation = rig.Create();
             simulation.transform.rotation = Quaternion.Euler(0f, 0f, 90f);
             var drawing = simulation.gameObject.AddComponent<FluidGeometrySurfaceRenderer>();
-            if (drawing.MissingSupport() != null)
-                Assert.Ignore(drawing.MissingSupport());
+            if (drawing.MissingSupport() != null) Assert.Ignore(drawing.MissingSupport());
             drawing.GridSize = SurfaceGridSize.Cells32;
             yield return PictureRig.Frames(2);
             float before = MeanRow(Picture());
@@ -72,8 +70,7 @@ namespace SphFluid.Tests
         {
             FluidSimulation simulation = rig.Create();
             var surface = simulation.gameObject.AddComponent<FluidGeometrySurfaceRenderer>();
-            if (surface.MissingSupport() != null)
-                Assert.Ignore(surface.MissingSupport());
+            if (surface.MissingSupport() != null) Assert.Ignore(surface.MissingSupport());
             surface.GridSize = SurfaceGridSize.Cells32;
             yield return PictureRig.Frames(2);
             int mesh = Lit(Picture());
@@ -104,19 +101,18 @@ namespace SphFluid.Tests
             Assert.Greater(back, 0f, "ambient light remains");
         }
 
-        static int Lit(Color[] picture) => Count(picture, 0, Width, p => p.maxColorComponent > 0.05f);
+        private static int Lit(Color[] picture) => Count(picture, 0, Width, p => p.maxColorComponent > 0.05f);
 
-        static float Brightness(Color[] picture)
+        private static float Brightness(Color[] picture)
         {
             float sum = 0f;
-            foreach (Color pixel in picture)
-                sum += pixel.linear.maxColorComponent;
+            foreach (Color pixel in picture) sum += pixel.linear.maxColorComponent;
             return sum;
         }
 
-        Color[] Picture() => view.Pixels();
+        private Color[] Picture() => view.Pixels();
 
-        static int Count(Color[] picture, int from, int to, System.Predicate<Color> which)
+        private static int Count(Color[] picture, int from, int to, System.Predicate<Color> which)
         {
             int count = 0;
             for (int i = 0; i < picture.Length; i++)
@@ -127,14 +123,13 @@ namespace SphFluid.Tests
             return count;
         }
 
-        static float MeanRow(Color[] picture)
+        private static float MeanRow(Color[] picture)
         {
             float sum = 0f;
             int count = 0;
             for (int i = 0; i < picture.Length; i++)
             {
-                if (picture[i].maxColorComponent <= 0.05f)
-                    continue;
+                if (picture[i].maxColorComponent <= 0.05f) continue;
                 sum += i / Width;
                 count++;
             }

@@ -8,7 +8,7 @@ namespace SphFluid.Tests
     /// <summary>The two components on a simulation: what they find, what they say, what they make.</summary>
     public sealed class FluidRendererTests
     {
-        SimulationRig rig;
+        private SimulationRig rig;
 
         [SetUp]
         public void SetUp() => rig = new SimulationRig();
@@ -136,19 +136,18 @@ namespace SphFluid.Tests
             Assert.AreEqual(mesh.Volume(), mesh.Transformed(simulation.LocalToWorld).Volume(), 1e-5);
         }
 
-        FluidSimulation StartLiquid()
+        private FluidSimulation StartLiquid()
         {
             FluidSimulation simulation = rig.Create();
             Assert.IsTrue(simulation.StartSimulation(), simulation.StatusMessage);
             return simulation;
         }
 
-        static FluidGeometrySurfaceRenderer AddSurface(FluidSimulation simulation)
+        private static FluidGeometrySurfaceRenderer AddSurface(FluidSimulation simulation)
         {
             var drawing = simulation.gameObject.AddComponent<FluidGeometrySurfaceRenderer>();
             string shortfall = drawing.MissingSupport();
-            if (shortfall != null)
-                Assert.Ignore(shortfall);
+            if (shortfall != null) Assert.Ignore(shortfall);
             return drawing;
         }
     }

@@ -10,8 +10,8 @@ namespace SphFluid.Tests
     /// <summary>A liquid's surface as the mesh of a Mesh Filter: its content on the GPU, its growth, what it says.</summary>
     public sealed class FluidSurfaceMeshTests
     {
-        SimulationRig rig;
-        Material material;
+        private SimulationRig rig;
+        private Material material;
 
         [SetUp]
         public void SetUp()
@@ -79,8 +79,7 @@ namespace SphFluid.Tests
             Assert.AreEqual(expected.Volume(), MeshTriangles.Volume(local, local[0]), 1e-4 * expected.Volume());
             Assert.AreEqual(-expected.Volume(), MeshTriangles.Volume(world, simulation.transform.position), 1e-4 * expected.Volume());
             Bounds bounds = handed.Mesh.bounds;
-            foreach (Vector3 corner in local)
-                Assert.Less(bounds.SqrDistance(corner), 1e-8f, $"{corner} outside {bounds}");
+            foreach (Vector3 corner in local) Assert.Less(bounds.SqrDistance(corner), 1e-8f, $"{corner} outside {bounds}");
             LogAssert.NoUnexpectedReceived();
         }
 
@@ -208,13 +207,13 @@ namespace SphFluid.Tests
             Object.DestroyImmediate(incomplete);
         }
 
-        FluidSurfaceMesh Start(FluidSimulation simulation)
+        private FluidSurfaceMesh Start(FluidSimulation simulation)
         {
             Assert.IsTrue(simulation.StartSimulation(), simulation.StatusMessage);
             return Add(simulation.gameObject);
         }
 
-        FluidSurfaceMesh Add(GameObject holder)
+        private FluidSurfaceMesh Add(GameObject holder)
         {
             var handed = holder.AddComponent<FluidSurfaceMesh>();
             holder.AddComponent<MeshRenderer>().sharedMaterial = material;
@@ -222,7 +221,7 @@ namespace SphFluid.Tests
         }
 
         // What a surface wants is known when the GPU has counted: its buffers grow before the next one.
-        static void Settle(FluidSurfaceMesh handed)
+        private static void Settle(FluidSurfaceMesh handed)
         {
             for (int i = 0; i < 3; i++)
             {
@@ -231,14 +230,14 @@ namespace SphFluid.Tests
             }
         }
 
-        static void AssertIsSurface(FluidSurfaceMesh handed)
+        private static void AssertIsSurface(FluidSurfaceMesh handed)
         {
             SurfaceMesh surface = handed.Sparse.ReadMesh();
             Assert.Greater(surface.TriangleCount, 100);
             var expected = new List<Vector3>(surface.Indices.Length);
-            foreach (int index in surface.Indices)
-                expected.Add(surface.Positions[index]);
-            CollectionAssert.AreEqual(MeshTriangles.Ordered(expected), MeshTriangles.Ordered(MeshTriangles.Read(handed.Mesh, Matrix4x4.identity)));
+            foreach (int index in surface.Indices) expected.Add(surface.Positions[index]);
+            CollectionAssert.AreEqual(MeshTriangles.Ordered(expected),
+                MeshTriangles.Ordered(MeshTriangles.Read(handed.Mesh, Matrix4x4.identity)));
         }
     }
 }

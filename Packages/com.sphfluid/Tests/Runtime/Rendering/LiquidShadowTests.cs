@@ -9,21 +9,22 @@ using Object = UnityEngine.Object;
 
 namespace SphFluid.Tests
 {
-    /// <summary>Shadows of the Built-in pipeline's main light on liquid of known shape, against where geometry says that they fall.</summary>
+    /// <summary>
+    /// Shadows of the Built-in pipeline's main light on liquid of known shape, against where geometry says that they fall.
+    /// </summary>
     public sealed class LiquidShadowTests
     {
         // Of the map, whose texels are 2 mm here: what its filter and the step beside the surface move an edge by.
-        const float EdgeDoubt = 0.015f;
+        private const float EdgeDoubt = 0.015f;
 
-        readonly ShadowQuality quality = QualitySettings.shadows;
-        ShadowRig rig;
+        private readonly ShadowQuality quality = QualitySettings.shadows;
+        private ShadowRig rig;
 
         [SetUp]
         public void SetUp()
         {
             GpuTest.Require();
-            if (GraphicsSettings.currentRenderPipeline != null)
-                Assert.Ignore("The Built-in pipeline's shadows.");
+            if (GraphicsSettings.currentRenderPipeline != null) Assert.Ignore("The Built-in pipeline's shadows.");
             QualitySettings.shadows = ShadowQuality.All;
         }
 
@@ -35,7 +36,7 @@ namespace SphFluid.Tests
             QualitySettings.shadows = quality;
         }
 
-        static readonly (FluidSurfaceLook Look, float Strength, Vector3 Towards)[] cases =
+        private static readonly (FluidSurfaceLook Look, float Strength, Vector3 Towards)[] cases =
         {
             (FluidSurfaceLook.Opaque, 1f, new Vector3(0.5f, 1f, 0.2f)),
             (FluidSurfaceLook.Opaque, 0.5f, new Vector3(0.3f, 1f, -0.4f)),
@@ -45,7 +46,8 @@ namespace SphFluid.Tests
         };
 
         [UnityTest]
-        public IEnumerator TheEdgeFallsWhereTheLightPutsIt([ValueSource(nameof(cases))] (FluidSurfaceLook Look, float Strength, Vector3 Towards) given)
+        public IEnumerator TheEdgeFallsWhereTheLightPutsIt([ValueSource(nameof(cases))] (FluidSurfaceLook Look, float Strength,
+            Vector3 Towards) given)
         {
             rig = new ShadowRig(given.Look);
             rig.Light.transform.rotation = Quaternion.LookRotation(-given.Towards);
@@ -65,8 +67,7 @@ namespace SphFluid.Tests
             {
                 float beyond = ShadowRig.Place(i % ShadowRig.Size) - rig.EdgeOfShadow;
                 float left = rig.Occluder.transform.position.x - 0.5f - 0.65f * given.Towards.x / given.Towards.y;
-                if (Mathf.Abs(beyond) < EdgeDoubt || ShadowRig.Place(i % ShadowRig.Size) < left + EdgeDoubt)
-                    continue;
+                if (Mathf.Abs(beyond) < EdgeDoubt || ShadowRig.Place(i % ShadowRig.Size) < left + EdgeDoubt) continue;
                 Assert.Greater(lit[i] - dark[i], 0.005f, "there is sunlight to take away");
                 float share = (shaded[i] - dark[i]) / (lit[i] - dark[i]);
                 Assert.AreEqual(beyond > 0f ? 1f : 1f - given.Strength, share, 0.01f, $"{beyond} m from the edge");
@@ -118,10 +119,8 @@ namespace SphFluid.Tests
                 bool isHidden = rig.Occluder.GetComponent<Renderer>().bounds.IntersectRay(new Ray(place, towards));
                 float nearest = Vector3.Cross(place - rig.Occluder.transform.position, towards).magnitude;
                 dark += shaded[i] < 0.01f * lit[i] ? 1 : 0;
-                if (nearest > 0.1f)
-                    Assert.AreEqual(lit[i], shaded[i], 1e-4f, $"at {place}");
-                if (nearest < 0.04f)
-                    Assert.IsTrue(isHidden && shaded[i] < 0.01f * lit[i], $"at {place}");
+                if (nearest > 0.1f) Assert.AreEqual(lit[i], shaded[i], 1e-4f, $"at {place}");
+                if (nearest < 0.04f) Assert.IsTrue(isHidden && shaded[i] < 0.01f * lit[i], $"at {place}");
             }
             Assert.Greater(dark, 20);
         }
@@ -182,9 +181,11 @@ namespace SphFluid.Tests
             Assert.IsTrue(MainLightShadows.Light == null);
         }
 
-        // The liquid casts and receives: darkest pixel of what the light meets, over that of a liquid that receives nothing. Light from steep to grazing.
+        // The liquid casts and receives: darkest pixel of what the light meets, over that of a liquid that receives nothing. Light from
+        // steep to grazing.
         [UnityTest]
-        public IEnumerator AFlatLiquidDoesNotShadeItself([Values] FluidSurfaceLook look, [Values(0f, 80f)] float fromAbove, [Values(0f, 0.6f)] float ownShadow)
+        public IEnumerator AFlatLiquidDoesNotShadeItself([Values] FluidSurfaceLook look, [Values(0f, 80f)] float fromAbove,
+            [Values(0f, 0.6f)] float ownShadow)
         {
             rig = new ShadowRig(look) { CastShadows = true, OwnShadow = ownShadow };
             rig.Occluder.SetActive(false);
@@ -194,8 +195,7 @@ namespace SphFluid.Tests
             rig.ReceiveShadows = false;
             yield return rig.Frame();
             float[] lit = rig.Pixels();
-            for (int i = 0; i < lit.Length; i++)
-                Assert.AreEqual(lit[i], own[i], 0.01f * lit[i], $"pixel {i}");
+            for (int i = 0; i < lit.Length; i++) Assert.AreEqual(lit[i], own[i], 0.01f * lit[i], $"pixel {i}");
         }
 
         // A ball of water on water: under it lies its own kind, whose partial shadow is given back.
@@ -204,15 +204,15 @@ namespace SphFluid.Tests
         {
             rig = new ShadowRig(FluidSurfaceLook.Water) { CastShadows = true, OwnShadow = ownShadow };
             rig.Occluder.SetActive(false);
-            rig.Surface = new UploadedSurface().Box(new Vector3(0f, -0.2f, 0f), new Vector3(1.2f, 0.4f, 1.2f)).Ball(new Vector3(0.1f, 0.3f, 0f), 0.2f, 24);
+            rig.Surface = new UploadedSurface().Box(new Vector3(0f, -0.2f, 0f), new Vector3(1.2f, 0.4f, 1.2f))
+                .Ball(new Vector3(0.1f, 0.3f, 0f), 0.2f, 24);
             yield return rig.Frame();
             float[] own = rig.Pixels();
             rig.ReceiveShadows = false;
             yield return rig.Frame();
             float[] lit = rig.Pixels();
             Assert.AreEqual(lit.Sum(), own.Sum(), 0.01f * lit.Sum(), "all of it");
-            for (int i = 0; i < lit.Length; i++)
-                Assert.AreEqual(lit[i], own[i], 0.05f * lit[i] + 1e-4f, $"pixel {i}");
+            for (int i = 0; i < lit.Length; i++) Assert.AreEqual(lit[i], own[i], 0.05f * lit[i] + 1e-4f, $"pixel {i}");
         }
 
         [UnityTest]
@@ -221,7 +221,8 @@ namespace SphFluid.Tests
             rig = new ShadowRig(FluidSurfaceLook.Opaque) { CastShadows = true };
             rig.Occluder.SetActive(false);
             rig.Light.transform.rotation = Quaternion.Euler(45f, 90f, 0f); // towards -x
-            rig.Surface = new UploadedSurface().Box(new Vector3(0f, -0.2f, 0f), new Vector3(1.2f, 0.4f, 1.2f)).Ball(new Vector3(-0.2f, 0.3f, 0f), 0.1f, 24);
+            rig.Surface = new UploadedSurface().Box(new Vector3(0f, -0.2f, 0f), new Vector3(1.2f, 0.4f, 1.2f))
+                .Ball(new Vector3(-0.2f, 0.3f, 0f), 0.1f, 24);
             yield return rig.Frame();
             float[] own = rig.Pixels();
             rig.ReceiveShadows = false;
@@ -232,13 +233,10 @@ namespace SphFluid.Tests
                 var place = new Vector2(ShadowRig.Place(i % ShadowRig.Size), ShadowRig.Place(i / ShadowRig.Size));
                 bool isBall = (place - new Vector2(-0.2f, 0f)).magnitude < 0.11f;
                 float fromMiddle = new Vector2((place.x - 0.1f) * Mathf.Sqrt(0.5f), place.y).magnitude; // of a shadow 1.41 times as long
-                if (!isBall && fromMiddle < 0.08f)
-                    Assert.Less(own[i], 0.01f * lit[i], $"under it, at {place}");
-                if (!isBall && fromMiddle > 0.12f)
-                    Assert.AreEqual(lit[i], own[i], 0.01f * lit[i], $"beside it, at {place}");
+                if (!isBall && fromMiddle < 0.08f) Assert.Less(own[i], 0.01f * lit[i], $"under it, at {place}");
+                if (!isBall && fromMiddle > 0.12f) Assert.AreEqual(lit[i], own[i], 0.01f * lit[i], $"beside it, at {place}");
                 bool facesTheLight = isBall && place.x < -0.22f && (place - new Vector2(-0.2f, 0f)).magnitude < 0.08f;
-                if (facesTheLight)
-                    Assert.AreEqual(lit[i], own[i], 0.02f * lit[i], $"on it, at {place}");
+                if (facesTheLight) Assert.AreEqual(lit[i], own[i], 0.02f * lit[i], $"on it, at {place}");
             }
         }
 
@@ -278,23 +276,23 @@ namespace SphFluid.Tests
             Object.DestroyImmediate(lid);
         }
 
-        static FluidWhitewater Add(FluidSimulation simulation, string drawn)
+        private static FluidWhitewater Add(FluidSimulation simulation, string drawn)
         {
             if (drawn == "particles")
                 simulation.gameObject.AddComponent<FluidParticleRenderer>();
             else if (drawn == "thesis")
                 simulation.gameObject.AddComponent<FluidGeometrySurfaceRenderer>().GridSize = SurfaceGridSize.Cells32;
             else
-                simulation.gameObject.AddComponent<FluidSurfaceRenderer>().Look = drawn == "water" ? FluidSurfaceLook.Water : FluidSurfaceLook.Opaque;
-            if (drawn != "water")
-                return null;
+                simulation.gameObject.AddComponent<FluidSurfaceRenderer>().Look = drawn == "water" ? FluidSurfaceLook.Water
+                    : FluidSurfaceLook.Opaque;
+            if (drawn != "water") return null;
             var whitewater = simulation.gameObject.AddComponent<FluidWhitewater>();
             whitewater.Amount = 100f;
             return whitewater;
         }
 
         // Across the edge, where half of the light is taken away.
-        static float Edge(float[] pixels, int size, int row)
+        private static float Edge(float[] pixels, int size, int row)
         {
             float most = Enumerable.Range(0, size).Max(x => pixels[row * size + x]);
             int last = Enumerable.Range(0, size).Last(x => pixels[row * size + x] < 0.5f * most);

@@ -9,18 +9,17 @@ namespace SphFluid.Tests
     /// <summary>Whose cameras a surface is made for.</summary>
     public sealed class LiquidViewsTests
     {
-        static readonly Quaternion Away = Quaternion.Euler(0f, 180f, 0f);
+        private static readonly Quaternion Away = Quaternion.Euler(0f, 180f, 0f);
 
-        SimulationRig rig;
-        PictureRig picture;
+        private SimulationRig rig;
+        private PictureRig picture;
 
         [SetUp]
         public void SetUp()
         {
             rig = new SimulationRig();
             picture = new PictureRig(64, 64, 0.3f);
-            if (GraphicsSettings.currentRenderPipeline != null)
-                Assert.Ignore("The pictures are those of the built-in render pipeline.");
+            if (GraphicsSettings.currentRenderPipeline != null) Assert.Ignore("The pictures are those of the built-in render pipeline.");
         }
 
         [TearDown]
@@ -139,7 +138,7 @@ namespace SphFluid.Tests
             }
         }
 
-        FluidSurfaceRenderer Show(FluidSurfaceLook look)
+        private FluidSurfaceRenderer Show(FluidSurfaceLook look)
         {
             FluidSimulation simulation = rig.Create();
             var drawing = simulation.gameObject.AddComponent<FluidSurfaceRenderer>();
@@ -147,18 +146,17 @@ namespace SphFluid.Tests
             return drawing;
         }
 
-        int Lit()
+        private int Lit()
         {
             int lit = 0;
-            foreach (Color pixel in picture.Pixels())
-                lit += pixel.maxColorComponent > 0.02f ? 1 : 0;
+            foreach (Color pixel in picture.Pixels()) lit += pixel.maxColorComponent > 0.02f ? 1 : 0;
             return lit;
         }
 
         [DefaultExecutionOrder(1000)]
-        sealed class LateTurn : MonoBehaviour
+        private sealed class LateTurn : MonoBehaviour
         {
-            void LateUpdate() => transform.rotation = Quaternion.identity;
+            private void LateUpdate() => transform.rotation = Quaternion.identity;
         }
     }
 }

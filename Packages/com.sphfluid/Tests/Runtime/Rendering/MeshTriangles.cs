@@ -6,12 +6,14 @@ using UnityEngine;
 namespace SphFluid.Tests
 {
     /// <summary>The triangles that a mesh holds on the GPU.</summary>
-    static class MeshTriangles
+    internal static class MeshTriangles
     {
         // float3 position, float3 normal.
-        const int VertexFloats = 6;
+        private const int VertexFloats = 6;
 
-        /// <summary>Corners of all triangles with area that the mesh holds on the GPU, three a triangle; the rest must be the tail.</summary>
+        /// <summary>
+        /// Corners of all triangles with area that the mesh holds on the GPU, three a triangle; the rest must be the tail.
+        /// </summary>
         public static List<Vector3> Read(Mesh mesh, Matrix4x4 matrix)
         {
             Assert.AreEqual(mesh.GetIndexCount(0), (uint)(mesh.GetIndexCount(0) / 3 * 3));
@@ -51,23 +53,24 @@ namespace SphFluid.Tests
             return lines;
         }
 
-        static string Smallest(string[] texts)
+        private static string Smallest(string[] texts)
         {
             string smallest = texts[0];
-            foreach (string text in texts)
-                smallest = string.CompareOrdinal(text, smallest) < 0 ? text : smallest;
+            foreach (string text in texts) smallest = string.CompareOrdinal(text, smallest) < 0 ? text : smallest;
             return smallest;
         }
 
         // Adding 0 makes -0 and 0 the same.
-        static string Text(Vector3 v) => $"({v.x + 0f:R} {v.y + 0f:R} {v.z + 0f:R})";
+        private static string Text(Vector3 v) => $"({v.x + 0f:R} {v.y + 0f:R} {v.z + 0f:R})";
 
         /// <summary>Volume of the tetrahedra between a point and the triangles; of a closed mesh the point does not matter.</summary>
         public static double Volume(List<Vector3> corners, Vector3 origin)
         {
             double sum = 0.0;
             for (int i = 0; i < corners.Count; i += 3)
+            {
                 sum += Vector3.Dot(corners[i] - origin, Vector3.Cross(corners[i + 1] - origin, corners[i + 2] - origin)) / 6.0;
+            }
             return sum;
         }
     }

@@ -8,9 +8,9 @@ namespace SphFluid.Tests
     /// <summary>A camera that looks along z at the origin, a light over its shoulder, and what they saw in the last frame.</summary>
     internal sealed class PictureRig : IDisposable
     {
-        readonly GameObject holder;
-        readonly GameObject lamp;
-        readonly RenderTexture target;
+        private readonly GameObject holder;
+        private readonly GameObject lamp;
+        private readonly RenderTexture target;
 
         public PictureRig(int width, int height, float orthographicSize)
         {
@@ -39,7 +39,10 @@ namespace SphFluid.Tests
 
         public Light Light { get; }
 
-        /// <summary>Pixels of the last frame, row 0 the lowest. A liquid is drawn for one frame at a time: Camera.Render between frames would not see it.</summary>
+        /// <summary>
+        /// Pixels of the last frame, row 0 the lowest. A liquid is drawn for one frame at a time: Camera.Render between frames would not
+        /// see it.
+        /// </summary>
         public Color[] Pixels()
         {
             RenderTexture before = RenderTexture.active;
@@ -63,8 +66,7 @@ namespace SphFluid.Tests
         /// <summary>Waits for frames: <c>yield return</c> it.</summary>
         public static IEnumerator Frames(int count)
         {
-            for (int i = 0; i < count; i++)
-                yield return null;
+            for (int i = 0; i < count; i++) yield return null;
         }
 
         public void Dispose()

@@ -7,21 +7,21 @@ using Object = UnityEngine.Object;
 namespace SphFluid.Tests
 {
     /// <summary>
-    /// Liquid of known shape around the origin, a camera that looks down on a square metre of it, a light and a box above it that casts a shadow.
-    /// There is no other light.
+    /// Liquid of known shape around the origin, a camera that looks down on a square metre of it, a light and a box above it that casts a
+    /// shadow. There is no other light.
     /// </summary>
     internal sealed class ShadowRig : IDisposable
     {
         public const int Size = 64;
         public const float Spacing = 0.02f;
 
-        readonly FluidShaderSet shaders = SurfaceTestScene.LoadShaders();
-        readonly AmbientMode ambientMode = RenderSettings.ambientMode;
-        readonly Color ambientLight = RenderSettings.ambientLight;
-        readonly Light sun = RenderSettings.sun;
-        readonly FluidWaterLook waterLook = new FluidWaterLook { ColorAtOneMetre = new Color(0.2f, 0.5f, 0.7f), Visibility = 1f };
-        readonly SurfaceDrawing drawing;
-        UploadedSurface surface;
+        private readonly FluidShaderSet shaders = SurfaceTestScene.LoadShaders();
+        private readonly AmbientMode ambientMode = RenderSettings.ambientMode;
+        private readonly Color ambientLight = RenderSettings.ambientLight;
+        private readonly Light sun = RenderSettings.sun;
+        private readonly FluidWaterLook waterLook = new FluidWaterLook { ColorAtOneMetre = new Color(0.2f, 0.5f, 0.7f), Visibility = 1f };
+        private readonly SurfaceDrawing drawing;
+        private UploadedSurface surface;
 
         public ShadowRig(FluidSurfaceLook look)
         {
@@ -86,7 +86,9 @@ namespace SphFluid.Tests
             return light;
         }
 
-        /// <summary>Where the edge of the box's shadow lies on the plane y = 0, of its side towards +x and of a light from there [m].</summary>
+        /// <summary>
+        /// Where the edge of the box's shadow lies on the plane y = 0, of its side towards +x and of a light from there [m].
+        /// </summary>
         public float EdgeOfShadow
         {
             get
@@ -97,7 +99,10 @@ namespace SphFluid.Tests
             }
         }
 
-        /// <summary>Draws: <c>yield return</c> it, then read <see cref="Pixels(Camera)"/>. What a test does first comes before any frame, so two are drawn.</summary>
+        /// <summary>
+        /// Draws: <c>yield return</c> it, then read <see cref="Pixels(Camera)"/>. What a test does first comes before any frame, so two are
+        /// drawn.
+        /// </summary>
         public IEnumerator Frame()
         {
             for (int i = 0; i < 2; i++)
@@ -107,7 +112,7 @@ namespace SphFluid.Tests
             }
         }
 
-        void Draw()
+        private void Draw()
         {
             var placement = new DrawPlacement(Matrix4x4.identity, Vector3.one * 4f, 0f, 0, CastShadows, ReceiveShadows, Spacing);
             SurfaceBuffers buffers = surface.Buffers;
@@ -159,8 +164,7 @@ namespace SphFluid.Tests
             surface?.Dispose();
             Destroy(Camera);
             Object.DestroyImmediate(Occluder);
-            if (Light != null)
-                Object.DestroyImmediate(Light.gameObject);
+            if (Light != null) Object.DestroyImmediate(Light.gameObject);
             (RenderSettings.ambientMode, RenderSettings.ambientLight, RenderSettings.sun) = (ambientMode, ambientLight, sun);
         }
     }

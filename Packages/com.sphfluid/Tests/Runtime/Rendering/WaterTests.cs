@@ -10,11 +10,11 @@ namespace SphFluid.Tests
     /// <summary>The water look as cameras see it in play, and what it leaves behind.</summary>
     public sealed class WaterTests
     {
-        const int Width = 128;
-        const int Height = 64;
+        private const int Width = 128;
+        private const int Height = 64;
 
-        SimulationRig rig;
-        PictureRig view;
+        private SimulationRig rig;
+        private PictureRig view;
 
         [SetUp]
         public void SetUp()
@@ -183,14 +183,14 @@ namespace SphFluid.Tests
             Assert.AreEqual(0, Resources.FindObjectsOfTypeAll<RenderTexture>().Count(t => t.name == "Fluid Shadow Constants"));
         }
 
-        FluidSurfaceRenderer Create(string name, Vector3 position, Color colourAtOneMetre)
+        private FluidSurfaceRenderer Create(string name, Vector3 position, Color colourAtOneMetre)
         {
             var drawing = rig.Create(name, position: position).gameObject.AddComponent<FluidSurfaceRenderer>();
             drawing.Water.ColorAtOneMetre = colourAtOneMetre;
             return drawing;
         }
 
-        void AssertNothingLeft()
+        private void AssertNothingLeft()
         {
             Assert.IsFalse(WaterCameras.IsListening);
             Assert.AreEqual(0, view.Camera.commandBufferCount);
@@ -199,6 +199,6 @@ namespace SphFluid.Tests
             Assert.AreEqual(0, Thicknesses());
         }
 
-        static int Thicknesses() => Resources.FindObjectsOfTypeAll<RenderTexture>().Count(t => t.name == "Water Thickness");
+        private static int Thicknesses() => Resources.FindObjectsOfTypeAll<RenderTexture>().Count(t => t.name == "Water Thickness");
     }
 }

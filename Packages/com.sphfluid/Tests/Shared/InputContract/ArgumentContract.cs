@@ -15,21 +15,21 @@ using Object = UnityEngine.Object;
 namespace SphFluid.Tests
 {
     /// <summary>
-    /// Every number and choice that public methods and constructors take, those within values and lists too, is given what it should not be: an ArgumentException names it, or the
-    /// call does without it and the liquid goes on with numbers. What has no number is never taken. What is called is found by reflection: a new method needs no line here, a
-    /// type that no method took before an example.
+    /// Every number and choice that public methods and constructors take, those within values and lists too, is given what it should not
+    /// be: an ArgumentException names it, or the call does without it and the liquid goes on with numbers. What has no number is never
+    /// taken. What is called is found by reflection: a new method needs no line here, a type that no method took before an example.
     /// </summary>
     public abstract class ArgumentContract
     {
-        static readonly Regex NeverNegative = new Regex("[sS]ize$|[rR]adius$|[sS]pacing$|[mM]ass$|[lL]ength$|[dD]epth$|timeStep$");
+        private static readonly Regex NeverNegative = new Regex("[sS]ize$|[rR]adius$|[sS]pacing$|[mM]ass$|[lL]ength$|[dD]epth$|timeStep$");
 
-        readonly List<string> failures = new List<string>();
-        readonly List<IDisposable> made = new List<IDisposable>();
-        readonly HashSet<string> used = new HashSet<string>();
-        ContractLiquid liquid;
-        string root;
-        int tried, folders;
-        bool floats;
+        private readonly List<string> failures = new List<string>();
+        private readonly List<IDisposable> made = new List<IDisposable>();
+        private readonly HashSet<string> used = new HashSet<string>();
+        private ContractLiquid liquid;
+        private string root;
+        private int tried, folders;
+        private bool floats;
 
         /// <summary>Whose calls are tried.</summary>
         protected abstract Assembly Package { get; }
@@ -50,12 +50,14 @@ namespace SphFluid.Tests
             {
                 if (!TryPrepare(call, out object[] good)) continue;
                 foreach (ArgumentInput input in ArgumentInput.Of(call, p => Example(call, p)))
-                    foreach (object bad in BadValues.Of(input.Type, input.Get(good)))
-                        Try(call, good, input, bad);
+                    foreach (object bad in BadValues.Of(input.Type, input.Get(good))) Try(call, good, input, bad);
                 bool goesOn = false;
                 IEnumerator frames = liquid.GoOn(on => goesOn = on);
                 while (frames.MoveNext()) yield return frames.Current;
-                if (!goesOn || liquid.Exception != null) failures.Add($"STOPPED {PublicCalls.NameOf(call)}: {liquid.Exception ?? liquid.Simulation.StatusMessage}");
+                if (!goesOn || liquid.Exception != null)
+                {
+                    failures.Add($"STOPPED {PublicCalls.NameOf(call)}: {liquid.Exception ?? liquid.Simulation.StatusMessage}");
+                }
                 if (liquid.IsDamaged) failures.Add($"DAMAGE {PublicCalls.NameOf(call)}");
                 liquid.Simulation.StartSimulation();
                 liquid.Listen();
@@ -76,7 +78,7 @@ namespace SphFluid.Tests
         }
 
         // Arguments with which the call works.
-        bool TryPrepare(MethodBase call, out object[] good)
+        private bool TryPrepare(MethodBase call, out object[] good)
         {
             good = null;
             try
@@ -102,18 +104,24 @@ namespace SphFluid.Tests
             }
         }
 
-        void Try(MethodBase call, object[] good, ArgumentInput input, object bad)
+        private void Try(MethodBase call, object[] good, ArgumentInput input, object bad)
         {
             tried++;
-            string what = $"{PublicCalls.NameOf(call)} {input.Parameter}{(input.Name == input.Parameter ? "" : "." + input.Name)} = {BadValues.Text(bad)}", fault = null;
+            string what =
+                $"{PublicCalls.NameOf(call)} {input.Parameter}{(input.Name == input.Parameter ? "" : "." + input.Name)} = " +
+                $"{BadValues.Text(bad)}", fault = null;
             try
             {
                 Call(call, input.With(Fresh(call, good), bad));
-                if (!BadValues.IsUsable(bad) || NeverNegative.IsMatch(input.Name) && BadValues.RangeOf(bad).least < 0.0) fault = "SILENT " + what;
+                if (!BadValues.IsUsable(bad) || NeverNegative.IsMatch(input.Name) && BadValues.RangeOf(bad).least < 0.0)
+                {
+                    fault = "SILENT " + what;
+                }
             }
             catch (ArgumentException exception)
             {
-                bool isNamed = exception.ParamName == input.Parameter || exception.ParamName == input.Name || exception.Message.IndexOf(input.Name, StringComparison.OrdinalIgnoreCase) >= 0 || call.IsSpecialName;
+                bool isNamed = exception.ParamName == input.Parameter || exception.ParamName == input.Name ||
+                    exception.Message.IndexOf(input.Name, StringComparison.OrdinalIgnoreCase) >= 0 || call.IsSpecialName;
                 if (!isNamed) fault = $"MISNAMED {what}: {exception.Message} ({exception.ParamName})";
             }
             catch (FluidDeviceException exception) when (BadValues.IsUsable(bad) && BadValues.RangeOf(bad).most > 1e9)
@@ -131,20 +139,24 @@ namespace SphFluid.Tests
         }
 
         // Some calls use up what they are given.
-        object[] Fresh(MethodBase call, object[] good)
+        private object[] Fresh(MethodBase call, object[] good)
         {
             var fresh = (object[])good.Clone();
             ParameterInfo[] parameters = call.GetParameters();
             for (int i = 0; i < fresh.Length; i++)
-                if (parameters[i].ParameterType == typeof(string) || parameters[i].ParameterType == typeof(WallPatch)) fresh[i] = Example(call, parameters[i]);
+                if (parameters[i].ParameterType == typeof(string) || parameters[i].ParameterType == typeof(WallPatch))
+                {
+                    fresh[i] = Example(call, parameters[i]);
+                }
             return fresh;
         }
 
-        void Call(MethodBase call, object[] arguments)
+        private void Call(MethodBase call, object[] arguments)
         {
             try
             {
-                object result = call is ConstructorInfo constructor ? constructor.Invoke(arguments) : call.Invoke(call.IsStatic ? null : Example(call.DeclaringType), arguments);
+                object result = call is ConstructorInfo constructor ? constructor.Invoke(arguments)
+                    : call.Invoke(call.IsStatic ? null : Example(call.DeclaringType), arguments);
                 if (result is IDisposable item && !(result is FluidQuery)) made.Add(item);
             }
             catch (TargetInvocationException exception)
@@ -154,11 +166,14 @@ namespace SphFluid.Tests
         }
 
         // An argument with which the call works.
-        object Example(MethodBase call, ParameterInfo parameter)
+        private object Example(MethodBase call, ParameterInfo parameter)
         {
             Type type = PublicCalls.Plain(parameter.ParameterType);
             if (type == typeof(FluidQuery)) return QueryFor(call);
-            if (call.DeclaringType == typeof(ThesisRules) && type == typeof(FluidSolverSettings)) return FluidRules.Derive(Rules(FluidMethodKind.Thesis));
+            if (call.DeclaringType == typeof(ThesisRules) && type == typeof(FluidSolverSettings))
+            {
+                return FluidRules.Derive(Rules(FluidMethodKind.Thesis));
+            }
             if (parameter.Name == "supportRatio") return 2.0;
             if (parameter.Name == "cellRatio") return 0.5;
             if (call.Name == nameof(TriangleMesh.Deformed)) return ((TriangleMesh)Example(typeof(TriangleMesh))).Vertices;
@@ -168,10 +183,12 @@ namespace SphFluid.Tests
         }
 
         // A request of the kind that is moved: of the method that takes the same otherwise.
-        object QueryFor(MethodBase move)
+        private object QueryFor(MethodBase move)
         {
             string rest = string.Join(",", move.GetParameters().Skip(1).Select(p => p.ParameterType.Name + p.Name));
-            MethodInfo add = typeof(FluidQueries).GetMethods().Single(m => m.Name.StartsWith("Add") && string.Join(",", m.GetParameters().Select(p => p.ParameterType.Name + p.Name)) == rest);
+            MethodInfo add = typeof(FluidQueries).GetMethods()
+                .Single(m => m.Name.StartsWith("Add") &&
+                    string.Join(",", m.GetParameters().Select(p => p.ParameterType.Name + p.Name)) == rest);
             return add.Invoke(liquid.Simulation.Queries, add.GetParameters().Select(p => Example(add, p)).ToArray());
         }
 
@@ -183,8 +200,12 @@ namespace SphFluid.Tests
         {
             FluidSimulation simulation = liquid.Simulation;
             FluidShaderSet shaders = liquid.Rig.Profile.Shaders;
-            if (type.IsEnum) return type == typeof(FluidMethodKind) ? FluidMethodKind.Standard : type == typeof(GraphicsBuffer.Target) ? GraphicsBuffer.Target.Structured
-                : type == typeof(SurfaceGridSize) ? SurfaceGridSize.Cells32 : Enum.GetValues(type).GetValue(0);
+            if (type.IsEnum)
+            {
+                return type == typeof(FluidMethodKind) ? FluidMethodKind.Standard : type == typeof(GraphicsBuffer.Target)
+                    ? GraphicsBuffer.Target.Structured
+                    : type == typeof(SurfaceGridSize) ? SurfaceGridSize.Cells32 : Enum.GetValues(type).GetValue(0);
+            }
             if (type == typeof(float)) return 0.05f;
             if (type == typeof(double)) return 0.05;
             if (type == typeof(bool)) return false;
@@ -197,14 +218,21 @@ namespace SphFluid.Tests
             if (type == typeof(Vector3Int)) return 4 * Vector3Int.one;
             if (type == typeof(Quaternion)) return Quaternion.identity;
             if (type == typeof(Matrix4x4)) return Matrix4x4.identity;
-            if (type == typeof(Vector3[]) || type == typeof(IReadOnlyList<Vector3>)) return new[] { Vector3.zero, 0.1f * Vector3.up, 0.1f * Vector3.right };
+            if (type == typeof(Vector3[]) || type == typeof(IReadOnlyList<Vector3>))
+            {
+                return new[] { Vector3.zero, 0.1f * Vector3.up, 0.1f * Vector3.right };
+            }
             if (type == typeof(int[])) return new[] { 0, 1, 2 };
             if (type == typeof(Object) || type == typeof(FluidSimulation)) return simulation;
             if (type == typeof(FluidQueries)) return simulation.Queries;
             if (type == typeof(FluidSolver)) return simulation.Solver;
             if (type == typeof(FluidShaderSet)) return shaders;
             if (type == typeof(FluidSolverSettings)) return simulation.Solver.Settings;
-            if (type == typeof(FluidBoundaries) || type == typeof(FluidStatistics) || type == typeof(FluidCounters) || type == typeof(ThesisSwitches)) return Activator.CreateInstance(type);
+            if (type == typeof(FluidBoundaries) || type == typeof(FluidStatistics) || type == typeof(FluidCounters) ||
+                type == typeof(ThesisSwitches))
+            {
+                return Activator.CreateInstance(type);
+            }
             if (type == typeof(StandardSettings)) return simulation.Solver.Settings.Own<StandardSettings>();
             if (type == typeof(FluidRuleInput)) return Rules(FluidMethodKind.Standard);
             if (type == typeof(RobustSettings)) return FluidRules.Derive(Rules(FluidMethodKind.Robust)).Own<RobustSettings>();
@@ -222,11 +250,18 @@ namespace SphFluid.Tests
             if (type == typeof(WallForces)) return simulation.Solver.WallForces;
             if (type == typeof(WallPatch)) return Patch(simulation.Solver.WallForces);
             if (type == typeof(SurfaceGrid)) return SurfaceGridSize.Cells32.OverDomain(simulation.DomainSize);
-            if (type == typeof(SurfaceFieldSettings)) return SurfaceFieldSettings.For(FluidSurfaceQuality.Cheap, simulation.Solver.Settings);
+            if (type == typeof(SurfaceFieldSettings))
+            {
+                return SurfaceFieldSettings.For(FluidSurfaceQuality.Cheap, simulation.Solver.Settings);
+            }
             if (type == typeof(SurfaceField)) return Field(simulation.Solver, shaders);
             if (type == typeof(SurfacePolygoniser)) return Made(new SurfacePolygoniser(shaders));
             if (type == typeof(SparseSurface)) return Made(new SparseSurface(shaders));
-            if (type == typeof(SurfaceMesh)) return new SurfaceMesh(new[] { Vector3.zero, Vector3.up, Vector3.right }, new[] { Vector3.up, Vector3.up, Vector3.up }, new[] { 0, 1, 2 });
+            if (type == typeof(SurfaceMesh))
+            {
+                return new SurfaceMesh(new[] { Vector3.zero, Vector3.up, Vector3.right }, new[] { Vector3.up, Vector3.up, Vector3.up },
+                    new[] { 0, 1, 2 });
+            }
             if (type == typeof(StepClock)) return new StepClock(0.001, 10);
             if (type == typeof(TimeStepAdvice)) return FluidRules.Advise(simulation.Solver.Settings, 1.0);
             if (type == typeof(FluidSupport)) return FluidSupport.Query();
@@ -236,7 +271,7 @@ namespace SphFluid.Tests
             throw new NotSupportedException($"There is no example of {type.Name}. Add one here.");
         }
 
-        BoxCollider Box()
+        private BoxCollider Box()
         {
             GameObject holder = liquid.Rig.NewObject("Box");
             holder.layer = SimulationRig.Layer - 1;
@@ -250,7 +285,7 @@ namespace SphFluid.Tests
             return item;
         }
 
-        FluidObstacles Obstacles(in FluidSolverSettings settings)
+        private FluidObstacles Obstacles(in FluidSolverSettings settings)
         {
             FluidObstacles obstacles = Made(new FluidObstacles(settings));
             var box = TriangleMesh.Box(Matrix4x4.Scale(0.1f * Vector3.one));
@@ -259,23 +294,24 @@ namespace SphFluid.Tests
             return obstacles;
         }
 
-        WallPatch Patch(WallForces forces)
+        private WallPatch Patch(WallForces forces)
         {
             foreach (WallPatch old in forces.Patches.ToArray()) forces.Remove(old);
             return forces.Add(Vector3.zero, Quaternion.identity, 0.1f * Vector2.one);
         }
 
-        SurfaceField Field(FluidSolver solver, FluidShaderSet shaders)
+        private SurfaceField Field(FluidSolver solver, FluidShaderSet shaders)
         {
             SurfaceField field = Made(new SurfaceField(shaders, SurfaceGridSize.Cells32.OverDomain(solver.Settings.DomainSize)));
             GpuTest.Run(cmd => field.Record(cmd, solver));
             return field;
         }
 
-        static FluidRuleInput Rules(FluidMethodKind method)
+        private static FluidRuleInput Rules(FluidMethodKind method)
         {
             FluidRuleInput rules = FluidRuleInput.Water;
-            (rules.Method, rules.DomainSize, rules.Spacing, rules.LiquidHeight, rules.LiquidDepth) = (method, 0.4f * Vector3.one, 0.05f, 0.3f, 0.2f);
+            (rules.Method, rules.DomainSize, rules.Spacing, rules.LiquidHeight, rules.LiquidDepth) =
+                (method, 0.4f * Vector3.one, 0.05f, 0.3f, 0.2f);
             return rules;
         }
     }

@@ -9,12 +9,13 @@ namespace SphFluid.Tests
     /// <summary>What a number or a choice should not be. Of vectors, lists and the like one part is bad at a time, each in turn.</summary>
     internal static class BadValues
     {
-        static readonly double[] Numbers = { double.NaN, double.PositiveInfinity, double.NegativeInfinity, -1.0, 0.0, 1e30 };
-        static readonly long[] Counts = { long.MinValue, -1L, 0L, long.MaxValue };
+        private static readonly double[] Numbers = { double.NaN, double.PositiveInfinity, double.NegativeInfinity, -1.0, 0.0, 1e30 };
+        private static readonly long[] Counts = { long.MinValue, -1L, 0L, long.MaxValue };
 
-        static readonly Dictionary<Type, int> Parts = new Dictionary<Type, int>
+        private static readonly Dictionary<Type, int> Parts = new Dictionary<Type, int>
         {
-            [typeof(Vector2)] = 2, [typeof(Vector3)] = 3, [typeof(Vector4)] = 4, [typeof(Quaternion)] = 4, [typeof(Color)] = 4, [typeof(Matrix4x4)] = 16,
+            [typeof(Vector2)] = 2, [typeof(Vector3)] = 3, [typeof(Vector4)] = 4, [typeof(Quaternion)] = 4, [typeof(Color)] = 4,
+            [typeof(Matrix4x4)] = 16,
             [typeof(Vector2Int)] = 2, [typeof(Vector3Int)] = 3,
         };
 
@@ -22,7 +23,8 @@ namespace SphFluid.Tests
         public static bool Has(Type type)
         {
             type = Nullable.GetUnderlyingType(type) ?? type;
-            return type.IsEnum || type == typeof(float) || type == typeof(double) || type == typeof(int) || type == typeof(uint) || type == typeof(long) ||
+            return type.IsEnum || type == typeof(float) || type == typeof(double) || type == typeof(int) || type == typeof(uint) ||
+                type == typeof(long) ||
                 Parts.ContainsKey(type) || ElementOf(type) is Type element && Has(element);
         }
 
@@ -59,7 +61,11 @@ namespace SphFluid.Tests
         {
             foreach (object part in PartsOf(value))
             {
-                if (part is float f && (float.IsNaN(f) || float.IsInfinity(f)) || part is double d && (double.IsNaN(d) || double.IsInfinity(d))) return false;
+                if (part is float f && (float.IsNaN(f) || float.IsInfinity(f)) || part is double d &&
+                    (double.IsNaN(d) || double.IsInfinity(d)))
+                {
+                    return false;
+                }
                 if (part is Enum && !IsNamed(part)) return false;
             }
             return true;
@@ -90,9 +96,10 @@ namespace SphFluid.Tests
         }
 
         /// <summary>A value as a failure shows it.</summary>
-        public static string Text(object value) => value is IList || value != null && Parts.ContainsKey(value.GetType()) ? "(" + string.Join(", ", PartsOf(value)) + ")" : $"{value}";
+        public static string Text(object value) => value is IList || value != null &&
+            Parts.ContainsKey(value.GetType()) ? "(" + string.Join(", ", PartsOf(value)) + ")" : $"{value}";
 
-        static bool IsNamed(object choice)
+        private static bool IsNamed(object choice)
         {
             Type type = choice.GetType();
             if (!type.IsDefined(typeof(FlagsAttribute), false)) return Enum.IsDefined(type, choice);
@@ -101,20 +108,21 @@ namespace SphFluid.Tests
             return (Convert.ToInt64(choice) & ~all) == 0;
         }
 
-        static IEnumerable<object> OfParts(Type type, object good)
+        private static IEnumerable<object> OfParts(Type type, object good)
         {
             object first = Part(type).GetValue(good, new object[] { 0 });
             int place = 0;
             foreach (object bad in Of(first.GetType(), first))
             {
                 // Unboxed and boxed again: a copy.
-                object changed = typeof(object).GetMethod("MemberwiseClone", BindingFlags.Instance | BindingFlags.NonPublic).Invoke(good, null);
+                object changed = typeof(object).GetMethod("MemberwiseClone", BindingFlags.Instance | BindingFlags.NonPublic)
+                    .Invoke(good, null);
                 Part(type).SetValue(changed, bad, new object[] { place++ % Parts[type] });
                 yield return changed;
             }
         }
 
-        static IEnumerable<object> OfElements(IList good)
+        private static IEnumerable<object> OfElements(IList good)
         {
             int place = 0;
             foreach (object bad in Of(good[0].GetType(), good[0]))
@@ -126,9 +134,9 @@ namespace SphFluid.Tests
             }
         }
 
-        static PropertyInfo Part(Type type) => type.GetProperty("Item", new[] { typeof(int) });
+        private static PropertyInfo Part(Type type) => type.GetProperty("Item", new[] { typeof(int) });
 
-        static Type ElementOf(Type type) => type.IsArray ? type.GetElementType()
+        private static Type ElementOf(Type type) => type.IsArray ? type.GetElementType()
             : type.IsGenericType && type.IsInterface && typeof(IEnumerable).IsAssignableFrom(type) ? type.GetGenericArguments()[0] : null;
     }
 }

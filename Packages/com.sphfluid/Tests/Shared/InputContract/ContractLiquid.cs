@@ -11,8 +11,8 @@ namespace SphFluid.Tests
     /// <summary>A small liquid that is given bad values, and all that is said and done while it is.</summary>
     internal sealed class ContractLiquid : IDisposable
     {
-        readonly List<string> lines = new List<string>();
-        int updates;
+        private readonly List<string> lines = new List<string>();
+        private int updates;
 
         public ContractLiquid()
         {
@@ -33,7 +33,10 @@ namespace SphFluid.Tests
         /// <summary>Exceptions in the console since <see cref="Listen"/>.</summary>
         public string Exception { get; private set; }
 
-        /// <summary>What is said about an object since <see cref="Listen"/>: lines of the console, and what stands in messages that were said before.</summary>
+        /// <summary>
+        /// What is said about an object since <see cref="Listen"/>: lines of the console, and what stands in messages that were said
+        /// before.
+        /// </summary>
         public IEnumerable<string> Said => lines.Concat(Simulation.Messages.Select(m => m.ToString()));
 
         /// <summary>Forgets what was said.</summary>
@@ -59,7 +62,9 @@ namespace SphFluid.Tests
         }
 
         /// <summary>Whether a particle has a number that is none.</summary>
-        public bool IsDamaged => SimulationRig.Read(Simulation).Any(p => !AffineMath.IsFinite(p.Position) || !AffineMath.IsFinite(p.VelT0) || !AffineMath.IsFinite(p.VelT1));
+        public bool IsDamaged =>
+            SimulationRig.Read(Simulation)
+                .Any(p => !AffineMath.IsFinite(p.Position) || !AffineMath.IsFinite(p.VelT0) || !AffineMath.IsFinite(p.VelT1));
 
         public void Dispose()
         {
@@ -67,7 +72,7 @@ namespace SphFluid.Tests
             Rig.Dispose();
         }
 
-        void Note(string line, string trace, LogType type)
+        private void Note(string line, string trace, LogType type)
         {
             lines.Add(line);
             if (type == LogType.Exception) Exception ??= line.Split('\n')[0];

@@ -9,11 +9,11 @@ namespace SphFluid.Tests
     /// <summary>A number or a choice of an argument: itself, or a member of a value, or of the first of a list of values.</summary>
     internal sealed class ArgumentInput
     {
-        readonly int place;
-        readonly PublicInput member; // null: the argument itself
-        readonly FieldInfo own;      // of a method's own constants within settings; null: not of those
+        private readonly int place;
+        private readonly PublicInput member; // null: the argument itself
+        private readonly FieldInfo own;      // of a method's own constants within settings; null: not of those
 
-        ArgumentInput(ParameterInfo parameter, PublicInput member, FieldInfo own)
+        private ArgumentInput(ParameterInfo parameter, PublicInput member, FieldInfo own)
         {
             place = parameter.Position;
             Parameter = parameter.Name;
@@ -44,7 +44,11 @@ namespace SphFluid.Tests
                     continue;
                 }
                 if (PublicCalls.ElementOf(type) is Type element) type = element;
-                if (!PublicCalls.IsOurs(type) || !type.IsValueType && type.GetConstructor(Type.EmptyTypes) == null || typeof(UnityEngine.Object).IsAssignableFrom(type)) continue;
+                if (!PublicCalls.IsOurs(type) || !type.IsValueType && type.GetConstructor(Type.EmptyTypes) == null ||
+                    typeof(UnityEngine.Object).IsAssignableFrom(type))
+                {
+                    continue;
+                }
                 foreach (PublicInput member in PublicInput.Of(type)) yield return new ArgumentInput(parameter, member, null);
                 if (type != typeof(FluidSolverSettings)) continue;
                 foreach (FieldInfo constant in OwnOf(example(parameter)).GetType().GetFields(BindingFlags.Instance | BindingFlags.Public))
@@ -52,7 +56,8 @@ namespace SphFluid.Tests
             }
         }
 
-        public object Get(object[] arguments) => own != null ? own.GetValue(OwnOf(arguments[place])) : member != null ? member.Get(FirstOf(arguments[place])) : arguments[place];
+        public object Get(object[] arguments) => own != null ? own.GetValue(OwnOf(arguments[place])) : member != null
+            ? member.Get(FirstOf(arguments[place])) : arguments[place];
 
         /// <summary>The arguments with another value of this.</summary>
         public object[] With(object[] arguments, object value)
@@ -82,13 +87,14 @@ namespace SphFluid.Tests
             return changed;
         }
 
-        static FieldInfo OwnField => typeof(FluidSolverSettings).GetField("own", BindingFlags.Instance | BindingFlags.NonPublic);
+        private static FieldInfo OwnField => typeof(FluidSolverSettings).GetField("own", BindingFlags.Instance | BindingFlags.NonPublic);
 
-        static object OwnOf(object settings) => OwnField.GetValue(settings);
+        private static object OwnOf(object settings) => OwnField.GetValue(settings);
 
-        static object FirstOf(object argument) => argument is IList list ? list[0] : argument;
+        private static object FirstOf(object argument) => argument is IList list ? list[0] : argument;
 
-        static object Copy(object value) => typeof(object).GetMethod("MemberwiseClone", BindingFlags.Instance | BindingFlags.NonPublic).Invoke(value, null);
+        private static object Copy(object value) =>
+            typeof(object).GetMethod("MemberwiseClone", BindingFlags.Instance | BindingFlags.NonPublic).Invoke(value, null);
     }
 
     /// <summary>Calls of the public API that take numbers.</summary>
@@ -106,17 +112,23 @@ namespace SphFluid.Tests
                 if (!IsOurs(type) || type.IsInterface || typeof(Delegate).IsAssignableFrom(type)) continue;
                 foreach (MethodBase call in type.GetMethods(flags).Cast<MethodBase>().Concat(type.GetConstructors(flags)))
                 {
-                    bool isPlain = call is ConstructorInfo && !type.IsAbstract || !call.IsSpecialName && !call.IsGenericMethod && call.Name != "Equals";
+                    bool isPlain = call is ConstructorInfo && !type.IsAbstract || !call.IsSpecialName && !call.IsGenericMethod &&
+                        call.Name != "Equals";
                     if (isPlain && call.GetParameters().Any(p => !p.IsOut)) yield return call;
                 }
                 foreach (PropertyInfo property in type.GetProperties(flags))
-                    if (property.GetSetMethod() is MethodInfo setter && !typeof(UnityEngine.Object).IsAssignableFrom(type) && !type.IsSerializable && BadValues.Has(property.PropertyType))
+                    if (property.GetSetMethod() is MethodInfo setter && !typeof(UnityEngine.Object).IsAssignableFrom(type) &&
+                        !type.IsSerializable && BadValues.Has(property.PropertyType))
+                    {
                         yield return setter;
+                    }
             }
         }
 
         /// <summary>Name of a call with its parameters.</summary>
-        public static string NameOf(MethodBase call) => $"{call.DeclaringType.Name}.{(call is ConstructorInfo ? "new" : call.Name)}({string.Join(", ", call.GetParameters().Select(p => p.Name))})";
+        public static string NameOf(MethodBase call) =>
+            $"{call.DeclaringType.Name}.{(call is ConstructorInfo ? "new" : call.Name)}" +
+            $"({string.Join(", ", call.GetParameters().Select(p => p.Name))})";
 
         /// <summary>A type without "in", "ref" and "?".</summary>
         public static Type Plain(Type type)

@@ -7,15 +7,18 @@ using Object = UnityEngine.Object;
 
 namespace SphFluid.Tests
 {
-    /// <summary>A number or a choice that users set, found in the public API: a property, a field of a value, and the serialised field behind it.</summary>
+    /// <summary>
+    /// A number or a choice that users set, found in the public API: a property, a field of a value, and the serialised field behind it.
+    /// </summary>
     internal sealed class PublicInput
     {
-        const BindingFlags Public = BindingFlags.Instance | BindingFlags.Public, Hidden = BindingFlags.Instance | BindingFlags.NonPublic | BindingFlags.Public;
+        private const BindingFlags Public = BindingFlags.Instance | BindingFlags.Public,
+            Hidden = BindingFlags.Instance | BindingFlags.NonPublic | BindingFlags.Public;
 
-        readonly MemberInfo[] path;   // as scripts go
-        readonly MemberInfo[] stored; // as a scene file has it; null: no file has it
+        private readonly MemberInfo[] path;   // as scripts go
+        private readonly MemberInfo[] stored; // as a scene file has it; null: no file has it
 
-        PublicInput(MemberInfo[] path, MemberInfo[] stored)
+        private PublicInput(MemberInfo[] path, MemberInfo[] stored)
         {
             this.path = path;
             this.stored = stored;
@@ -43,12 +46,14 @@ namespace SphFluid.Tests
             {
                 MemberInfo field = stored?[stored.Length - 1] ?? path[path.Length - 1];
                 if (field.GetCustomAttribute<RangeAttribute>() is RangeAttribute range) return (range.min, range.max);
-                return (field.GetCustomAttribute<MinAttribute>() is MinAttribute min ? min.min : double.NegativeInfinity, double.PositiveInfinity);
+                return (field.GetCustomAttribute<MinAttribute>() is MinAttribute min ? min.min : double.NegativeInfinity,
+                    double.PositiveInfinity);
             }
         }
 
         /// <summary>The field's tooltip.</summary>
-        public string Tooltip => (stored?[stored.Length - 1] ?? path[path.Length - 1]).GetCustomAttribute<TooltipAttribute>()?.tooltip ?? "";
+        public string Tooltip => (stored?[stored.Length - 1] ?? path[path.Length - 1]).GetCustomAttribute<TooltipAttribute>()?.tooltip ??
+            "";
 
         public object Get(object root) => path.Aggregate(root, (inner, member) => ValueOf(member, inner));
 
@@ -66,7 +71,7 @@ namespace SphFluid.Tests
             return found;
         }
 
-        static void Find(Type type, MemberInfo[] path, MemberInfo[] stored, List<PublicInput> found)
+        private static void Find(Type type, MemberInfo[] path, MemberInfo[] stored, List<PublicInput> found)
         {
             bool isFile = typeof(Object).IsAssignableFrom(type) || path.Length > 0;
             foreach (MemberInfo member in type.GetMembers(Public))
@@ -81,26 +86,31 @@ namespace SphFluid.Tests
         }
 
         // What can be set, or is of a kind whose members can.
-        static bool IsInput(MemberInfo member)
+        private static bool IsInput(MemberInfo member)
         {
             Type type = member is FieldInfo || member is PropertyInfo ? TypeOf(member) : typeof(void);
             bool isSet = member is FieldInfo field ? !field.IsInitOnly && !field.IsLiteral
-                : member is PropertyInfo property && property.GetIndexParameters().Length == 0 && property.GetGetMethod() != null && property.GetSetMethod() != null;
+                : member is PropertyInfo property && property.GetIndexParameters().Length == 0 && property.GetGetMethod() != null &&
+                    property.GetSetMethod() != null;
             if (BadValues.Has(type)) return isSet;
             if (!PublicCalls.IsOurs(type) || typeof(Object).IsAssignableFrom(type) || !type.IsSerializable) return false;
             return type.IsValueType ? isSet : type.IsClass;
         }
 
         // particleSpacing of Spacing.
-        static FieldInfo FieldOf(Type type, MemberInfo member)
+        private static FieldInfo FieldOf(Type type, MemberInfo member)
         {
             for (; type != null && PublicCalls.IsOurs(type); type = type.BaseType)
                 foreach (FieldInfo field in type.GetFields(Hidden | BindingFlags.DeclaredOnly))
-                    if (field.FieldType == TypeOf(member) && field.IsDefined(typeof(SerializeField)) && field.Name.EndsWith(member.Name, StringComparison.OrdinalIgnoreCase)) return field;
+                    if (field.FieldType == TypeOf(member) && field.IsDefined(typeof(SerializeField)) &&
+                        field.Name.EndsWith(member.Name, StringComparison.OrdinalIgnoreCase))
+                    {
+                        return field;
+                    }
             return null;
         }
 
-        static void Set(object outer, MemberInfo[] way, int at, object value)
+        private static void Set(object outer, MemberInfo[] way, int at, object value)
         {
             if (at < way.Length - 1)
             {
@@ -123,8 +133,9 @@ namespace SphFluid.Tests
             }
         }
 
-        static object ValueOf(MemberInfo member, object outer) => member is FieldInfo field ? field.GetValue(outer) : ((PropertyInfo)member).GetValue(outer);
+        private static object ValueOf(MemberInfo member, object outer) => member is FieldInfo field ? field.GetValue(outer)
+            : ((PropertyInfo)member).GetValue(outer);
 
-        static Type TypeOf(MemberInfo member) => member is FieldInfo field ? field.FieldType : ((PropertyInfo)member).PropertyType;
+        private static Type TypeOf(MemberInfo member) => member is FieldInfo field ? field.FieldType : ((PropertyInfo)member).PropertyType;
     }
 }

@@ -13,21 +13,24 @@ using Object = UnityEngine.Object;
 namespace SphFluid.Tests
 {
     /// <summary>
-    /// Every number and choice of every component and asset, by its property and by the field that a scene file sets, is given what it should not be while a liquid runs.
-    /// It is brought into the range that its field declares and its comment states; or one line names the object and the member, with a cure; or its setter throws. Frames go
-    /// on, without an exception, and all particles keep numbers. What is in the list is found by reflection: a new member needs no line here.
+    /// Every number and choice of every component and asset, by its property and by the field that a scene file sets, is given what it
+    /// should not be while a liquid runs. It is brought into the range that its field declares and its comment states; or one line names
+    /// the object and the member, with a cure; or its setter throws. Frames go on, without an exception, and all particles keep numbers.
+    /// What is in the list is found by reflection: a new member needs no line here.
     /// </summary>
     public abstract class SettingsContract
     {
-        static readonly Regex RangeWords = new Regex(@"\d[^.;]* to [<\d]|or more|or less|at least|at most|greater than|more than|above|positive|between|counts? (as|for)", RegexOptions.IgnoreCase);
+        private static readonly Regex RangeWords =
+            new Regex(@"\d[^.;]* to [<\d]|or more|or less|at least|at most|greater than|more than|above|positive|between|counts? (as|for)",
+                RegexOptions.IgnoreCase);
 
         // Names of lengths and amounts that nothing can have less than none of.
-        static readonly Regex NeverNegative = new Regex("Size$|Radius$|Spacing$|Mass$|Length$");
+        private static readonly Regex NeverNegative = new Regex("Size$|Radius$|Spacing$|Mass$|Length$");
 
-        readonly List<string> failures = new List<string>();
-        ContractLiquid liquid;
-        object root;
-        int tried;
+        private readonly List<string> failures = new List<string>();
+        private ContractLiquid liquid;
+        private object root;
+        private int tried;
 
         /// <summary>A liquid that runs.</summary>
         protected FluidSimulation Simulation => liquid.Simulation;
@@ -67,7 +70,7 @@ namespace SphFluid.Tests
             Assert.That(failures, Is.Empty, $"{failures.Count} of {tried}\n" + string.Join("\n", failures));
         }
 
-        IEnumerator Try(PublicInput input, object good, object bad)
+        private IEnumerator Try(PublicInput input, object good, object bad)
         {
             tried++;
             liquid.Listen();
@@ -109,16 +112,18 @@ namespace SphFluid.Tests
         }
 
         // Another value than the bad one is one in its range, and the range is stated.
-        void Judge(string what, PublicInput input, object bad, object shown)
+        private void Judge(string what, PublicInput input, object bad, object shown)
         {
             if (BadValues.Same(shown, bad)) return;
             if (IsFault(input, shown)) failures.Add($"RANGE {what}: shows {BadValues.Text(shown)}, which is out of its own range");
             bool isChoice = BadValues.PartsOf(bad).First() is Enum; // the manual states the rule for all of them
             if (!isChoice && !RangeWords.IsMatch(input.Tooltip + " " + PublicComments.Of(input.Declaring, input.Label)))
+            {
                 failures.Add($"UNDOCUMENTED {what}: shows {BadValues.Text(shown)}, and neither comment nor tooltip states a range");
+            }
         }
 
-        static bool IsFault(PublicInput input, object value)
+        private static bool IsFault(PublicInput input, object value)
         {
             (double least, double most) = BadValues.RangeOf(value);
             (double from, double to) = input.Declared;
@@ -127,7 +132,7 @@ namespace SphFluid.Tests
         }
 
         // A member that only some choices read is told of under these.
-        IEnumerator Run(string what, PublicInput input, object bad)
+        private IEnumerator Run(string what, PublicInput input, object bad)
         {
             IEnumerator frames = Frame(what);
             while (frames.MoveNext()) yield return frames.Current;
@@ -148,31 +153,38 @@ namespace SphFluid.Tests
             failures.Add(said.Length == 0 ? $"SILENT {what}" : $"MISNAMED {what}: {said}");
         }
 
-        IEnumerator Frame(string what)
+        private IEnumerator Frame(string what)
         {
             yield return null;
             if (root is FluidVolume) liquid.Simulation.StartSimulation(); // which reads it then
             yield return null;
             if (liquid.Exception != null) failures.Add($"EXCEPTION {what}: {liquid.Exception}");
             if (liquid.IsDamaged) failures.Add($"DAMAGE {what}");
-            if (!liquid.Simulation.IsRunning && !FluidSimulationChecks.HasErrors(liquid.Simulation.Messages)) failures.Add($"STOPPED {what}: without an error");
+            if (!liquid.Simulation.IsRunning && !FluidSimulationChecks.HasErrors(liquid.Simulation.Messages))
+            {
+                failures.Add($"STOPPED {what}: without an error");
+            }
             if (liquid.Exception != null || liquid.IsDamaged) liquid.Simulation.StartSimulation();
         }
 
-        bool IsTold(PublicInput input)
+        private bool IsTold(PublicInput input)
         {
             var named = new Regex(Regex.Replace(input.Label, "(?<=[a-z])(?=[A-Z])", " ?"), RegexOptions.IgnoreCase);
             string owner = ((Object)root).name;
-            return liquid.Said.Any(line => line.Contains($"'{owner}'") && named.IsMatch(line.Replace($"'{owner}'", "")) && Regex.IsMatch(line, @"\. [A-Z]"));
+            return liquid.Said.Any(line => line.Contains($"'{owner}'") && named.IsMatch(line.Replace($"'{owner}'", "")) &&
+                Regex.IsMatch(line, @"\. [A-Z]"));
         }
 
-        static IEnumerable<(PropertyInfo, object)> Choices(Type type)
+        private static IEnumerable<(PropertyInfo, object)> Choices(Type type)
         {
             foreach (PropertyInfo property in type.GetProperties())
             {
                 if (property.GetSetMethod() == null || !PublicCalls.IsOurs(property.DeclaringType)) continue;
                 if (property.PropertyType == typeof(bool)) foreach (bool value in new[] { true, false }) yield return (property, value);
-                else if (property.PropertyType.IsEnum && property.PropertyType != typeof(SurfaceGridSize)) foreach (object value in Enum.GetValues(property.PropertyType)) yield return (property, value);
+                else if (property.PropertyType.IsEnum &&
+                    property.PropertyType !=
+                        typeof(SurfaceGridSize)) foreach (object value in Enum.GetValues(property.PropertyType)) yield return (property,
+                            value);
             }
         }
 
@@ -184,7 +196,8 @@ namespace SphFluid.Tests
             if (type == typeof(FluidProfile)) return liquid.Rig.Profile;
             if (type == typeof(FluidVolume)) return simulation.GetComponentInChildren<FluidVolume>();
             if (typeof(ScriptableObject).IsAssignableFrom(type)) return ScriptableObject.CreateInstance(type);
-            bool isBeside = typeof(FluidView).IsAssignableFrom(type) || type.GetCustomAttributes<RequireComponent>().Any(r => r.m_Type0 == typeof(FluidSimulation));
+            bool isBeside = typeof(FluidView).IsAssignableFrom(type) ||
+                type.GetCustomAttributes<RequireComponent>().Any(r => r.m_Type0 == typeof(FluidSimulation));
             GameObject holder = isBeside ? simulation.gameObject : liquid.Rig.NewObject("Subject");
             if (!isBeside) holder.transform.SetParent(simulation.transform, false);
             holder.transform.localPosition = isBeside ? Vector3.zero : new Vector3(0f, 0.15f, 0f);
@@ -198,18 +211,20 @@ namespace SphFluid.Tests
     /// <summary>Comments of the packages' source.</summary>
     internal static class PublicComments
     {
-        static readonly Dictionary<string, string> Sources = new Dictionary<string, string>();
+        private static readonly Dictionary<string, string> Sources = new Dictionary<string, string>();
 
         /// <summary>The comment of a member; where the source is not there, as in a test player, whatever is asked for.</summary>
         public static string Of(Type type, string member)
         {
             if (!Sources.TryGetValue(type.Name, out string source))
             {
-                string[] files = Directory.Exists("Packages") ? Directory.GetFiles("Packages", type.Name + ".cs", SearchOption.AllDirectories) : new string[0];
+                string[] files = Directory.Exists("Packages")
+                    ? Directory.GetFiles("Packages", type.Name + ".cs", SearchOption.AllDirectories) : new string[0];
                 Sources.Add(type.Name, source = files.Length == 0 ? null : File.ReadAllText(files[0]));
             }
             if (source == null) return "0 to 1";
-            return Regex.Match(source, $@"((?:^\s*///.*\n)*)(?:^\s*\[.*\n)*^\s*public [^(=;]*\b{member}\b", RegexOptions.Multiline).Groups[1].Value;
+            return Regex.Match(source, $@"((?:^\s*///.*\n)*)(?:^\s*\[.*\n)*^\s*public [^(=;]*\b{member}\b",
+                RegexOptions.Multiline).Groups[1].Value;
         }
     }
 }

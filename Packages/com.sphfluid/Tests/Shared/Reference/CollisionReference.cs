@@ -16,26 +16,21 @@ namespace SphFluid.Tests
         public static Double3 Force(IReadOnlyList<ReferenceMesh> meshes, Double3 position, Double3 velocity, in FluidSolverSettings s)
         {
             Double3 force = Domain(position, velocity, s);
-            foreach (ReferenceMesh mesh in meshes)
-            {
-                force += Mesh(mesh, position, velocity, s);
-            }
+            foreach (ReferenceMesh mesh in meshes) force += Mesh(mesh, position, velocity, s);
 
             return force;
         }
 
         public static Double3 Wall(Double3 normal, double distance, Double3 velocity, in FluidSolverSettings s)
         {
-            if (distance >= s.Own<ThesisSettings>().WallDistance)
-            {
-                return Double3.Zero;
-            }
+            if (distance >= s.Own<ThesisSettings>().WallDistance) return Double3.Zero;
 
-            double push = s.Own<ThesisSettings>().WallStiffness * (s.Own<ThesisSettings>().WallDistance - distance) - s.Own<ThesisSettings>().WallDamping * Double3.Dot(velocity, normal);
+            double push = s.Own<ThesisSettings>().WallStiffness * (s.Own<ThesisSettings>().WallDistance - distance) -
+                s.Own<ThesisSettings>().WallDamping * Double3.Dot(velocity, normal);
             return Math.Max(0.0, push) * normal;
         }
 
-        static Double3 Domain(Double3 p, Double3 v, in FluidSolverSettings s)
+        private static Double3 Domain(Double3 p, Double3 v, in FluidSolverSettings s)
         {
             var half = 0.5 * (Double3)s.DomainSize;
             return Wall(new Double3(1, 0, 0), p.X + half.X, v, s) + Wall(new Double3(-1, 0, 0), half.X - p.X, v, s)
@@ -43,7 +38,7 @@ namespace SphFluid.Tests
                 + Wall(new Double3(0, 0, 1), p.Z + half.Z, v, s) + Wall(new Double3(0, 0, -1), half.Z - p.Z, v, s);
         }
 
-        static Double3 Mesh(ReferenceMesh mesh, Double3 p, Double3 v, in FluidSolverSettings s)
+        private static Double3 Mesh(ReferenceMesh mesh, Double3 p, Double3 v, in FluidSolverSettings s)
         {
             double nearest = double.PositiveInfinity;
             Double3 foot = Double3.Zero;
@@ -101,14 +96,11 @@ namespace SphFluid.Tests
             return firstHit < 1.0 && missing > 0.0 ? force + missing * hitNormal : force;
         }
 
-        static Double3 Closest(Double3[] t, Double3 p, Double3 normal, out bool onFace)
+        private static Double3 Closest(Double3[] t, Double3 p, Double3 normal, out bool onFace)
         {
             Double3 projected = p - Double3.Dot(p - t[0], normal) * normal;
             onFace = Inside(t, projected, normal);
-            if (onFace)
-            {
-                return projected;
-            }
+            if (onFace) return projected;
 
             Double3 best = t[0];
             for (int i = 0; i < 3; i++)
@@ -124,14 +116,11 @@ namespace SphFluid.Tests
         }
 
         // On the inner side of each edge.
-        static bool Inside(Double3[] t, Double3 q, Double3 normal)
+        private static bool Inside(Double3[] t, Double3 q, Double3 normal)
         {
             for (int i = 0; i < 3; i++)
             {
-                if (Double3.Dot(Double3.Cross(t[(i + 1) % 3] - t[i], q - t[i]), normal) < 0.0)
-                {
-                    return false;
-                }
+                if (Double3.Dot(Double3.Cross(t[(i + 1) % 3] - t[i], q - t[i]), normal) < 0.0) return false;
             }
 
             return true;

@@ -8,15 +8,15 @@ namespace SphFluid.Tests
     /// Marching cubes on the CPU, cube by cube over the whole grid: what the kernels count and emit. Written from the
     /// definition of the grid; only the tables are the product's, which have tests of their own.
     /// </summary>
-    sealed class MarchingCubesReference
+    internal sealed class MarchingCubesReference
     {
-        const float EdgeMargin = 0.01f;
-        const float RingThickness = 0.02f;
+        private const float EdgeMargin = 0.01f;
+        private const float RingThickness = 0.02f;
 
-        readonly SurfaceGrid grid;
-        readonly Func<Vector3Int, float> value;
-        readonly float iso;
-        readonly int ring;
+        private readonly SurfaceGrid grid;
+        private readonly Func<Vector3Int, float> value;
+        private readonly float iso;
+        private readonly int ring;
 
         /// <summary>A surface.</summary>
         /// <param name="grid">The grid.</param>
@@ -61,8 +61,7 @@ namespace SphFluid.Tests
         public int Corners(Vector3Int firstCube, Vector3Int endCube)
         {
             int corners = 0;
-            foreach (Vector3Int cube in Box(firstCube, endCube))
-                corners += Row(cube).Count;
+            foreach (Vector3Int cube in Box(firstCube, endCube)) corners += Row(cube).Count;
             return corners;
         }
 
@@ -97,33 +96,30 @@ namespace SphFluid.Tests
             {
                 for (int y = first.y; y < end.y; y++)
                 {
-                    for (int x = first.x; x < end.x; x++)
-                        yield return new Vector3Int(x, y, z);
+                    for (int x = first.x; x < end.x; x++) yield return new Vector3Int(x, y, z);
                 }
             }
         }
 
-        float Value(Vector3Int s) =>
+        private float Value(Vector3Int s) =>
             s == Vector3Int.Max(Vector3Int.zero, Vector3Int.Min(s, grid.Cells)) ? value(s) : 0f;
 
         // Edges of the cube's triangles, three a triangle: the row of its case.
-        List<int> Row(Vector3Int cube)
+        private List<int> Row(Vector3Int cube)
         {
             int outside = 0;
-            for (int corner = 0; corner < 8; corner++)
-                outside |= IsInside(cube + SurfaceGrid.CornerOffset(corner)) ? 0 : 1 << corner;
+            for (int corner = 0; corner < 8; corner++) outside |= IsInside(cube + SurfaceGrid.CornerOffset(corner)) ? 0 : 1 << corner;
             var row = new List<int>();
             int first = outside * MarchingCubesTables.RowLength;
             int end = first + MarchingCubesTables.RowLength;
-            for (int i = first; i < end && MarchingCubesTables.TriangleTable[i] >= 0; i++)
-                row.Add(MarchingCubesTables.TriangleTable[i]);
+            for (int i = first; i < end && MarchingCubesTables.TriangleTable[i] >= 0; i++) row.Add(MarchingCubesTables.TriangleTable[i]);
             return row;
         }
 
-        static Vector3Int Corner(int edge, int end) =>
+        private static Vector3Int Corner(int edge, int end) =>
             SurfaceGrid.CornerOffset(MarchingCubesTables.EdgeCorners[2 * edge + end]);
 
-        Vector3 Crossing(Vector3Int a, Vector3Int b)
+        private Vector3 Crossing(Vector3Int a, Vector3Int b)
         {
             double t = (iso - (double)Value(a)) / ((double)Value(b) - Value(a));
             t = Math.Max(EdgeMargin, Math.Min(1.0 - EdgeMargin, t));
@@ -137,7 +133,7 @@ namespace SphFluid.Tests
         }
 
         // Of 8 cells with a ring: the samples -1, 0, 1 ... 7, 8, 9 lie at 0, 0.02, 1 ... 7, 7.98, 8.
-        double Squeezed(int s, int cells)
+        private double Squeezed(int s, int cells)
         {
             double thickness = ring * RingThickness;
             return s < 0 ? 0.0 : s > cells ? cells : Math.Max(thickness, Math.Min(cells - thickness, s));

@@ -4,14 +4,16 @@ using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>A step of the Robust method by all pairs in double precision; kernel, walls and lattice sums by <see cref="StandardReference"/>.</summary>
+    /// <summary>
+    /// A step of the Robust method by all pairs in double precision; kernel, walls and lattice sums by <see cref="StandardReference"/>.
+    /// </summary>
     public sealed class RobustReference
     {
-        readonly FluidSolverSettings settings;
-        readonly double dt, kick, response, radius, rest, ratio;
-        readonly double[] multipliers;
-        readonly bool[,] listed; // pairs nearer than R where they were predicted; others act in the next step
-        readonly Double3[] starts, velocities, displacements, places, constrained;
+        private readonly FluidSolverSettings settings;
+        private readonly double dt, kick, response, radius, rest, ratio;
+        private readonly double[] multipliers;
+        private readonly bool[,] listed; // pairs nearer than R where they were predicted; others act in the next step
+        private readonly Double3[] starts, velocities, displacements, places, constrained;
 
         /// <param name="particles">Particles when the step begins.</param>
         /// <param name="settings">Constants of the Robust method.</param>
@@ -49,7 +51,8 @@ namespace SphFluid.Tests
         /// <summary>The pressure that pushes a particle, where it ends [Pa].</summary>
         public double Pressure(int i)
         {
-            double sum = rest * StandardReference.Walls(places[i], settings) + settings.ParticleMass * StandardReference.Kernel(0.0, radius);
+            double sum = rest * StandardReference.Walls(places[i], settings) +
+                settings.ParticleMass * StandardReference.Kernel(0.0, radius);
             for (int j = 0; j < places.Length; j++)
             {
                 double distance = Apart(i, j, places).Length;
@@ -73,7 +76,7 @@ namespace SphFluid.Tests
             Finish(viscosity, sound);
         }
 
-        void Predict()
+        private void Predict()
         {
             double shell = 0.25 * settings.Spacing;
             Vector3 half = 0.5f * settings.DomainSize, period = settings.PeriodLength;
@@ -93,7 +96,7 @@ namespace SphFluid.Tests
             }
         }
 
-        Double3 Apart(int i, int j, Double3[] at)
+        private Double3 Apart(int i, int j, Double3[] at)
         {
             Double3 d = at[i] - at[j];
             Vector3 period = settings.PeriodLength;
@@ -101,23 +104,26 @@ namespace SphFluid.Tests
             return new Double3(Nearest(d.X, period.x), Nearest(d.Y, period.y), Nearest(d.Z, period.z));
         }
 
-        Double3 WallGradient(int i)
+        private Double3 WallGradient(int i)
         {
             double h = 1e-4 * settings.Spacing;
             double Walls(double x, double y, double z) => StandardReference.Walls(places[i] + new Double3(x, y, z), settings);
-            return new Double3(Walls(h, 0, 0) - Walls(-h, 0, 0), Walls(0, h, 0) - Walls(0, -h, 0), Walls(0, 0, h) - Walls(0, 0, -h)) / (2.0 * h);
+            return new Double3(Walls(h, 0, 0) - Walls(-h, 0, 0), Walls(0, h, 0) - Walls(0, -h, 0), Walls(0, 0, h) - Walls(0, 0, -h)) /
+                (2.0 * h);
         }
 
-        void Iterate(Double3[] predicted)
+        private void Iterate(Double3[] predicted)
         {
             int count = places.Length;
             places.CopyTo(constrained, 0);
-            double relaxation = settings.Own<RobustSettings>().Relaxation, reach = settings.SoundSpeed * dt, compliance = 1.0 / (reach * reach);
+            double relaxation = settings.Own<RobustSettings>().Relaxation, reach = settings.SoundSpeed * dt,
+                compliance = 1.0 / (reach * reach);
             var changes = new double[count];
             var walls = new Double3[count];
             for (int i = 0; i < count; i++)
             {
-                double sum = rest * StandardReference.Walls(places[i], settings) + settings.ParticleMass * StandardReference.Kernel(0.0, radius);
+                double sum = rest * StandardReference.Walls(places[i], settings) +
+                    settings.ParticleMass * StandardReference.Kernel(0.0, radius);
                 walls[i] = WallGradient(i);
                 Double3 gradient = walls[i] / response;
                 double squares = 0.0;
@@ -132,7 +138,8 @@ namespace SphFluid.Tests
                 }
                 double constraint = (sum / rest - 1.0) / response;
                 double stiffness = gradient.X * gradient.X + gradient.Y * gradient.Y + gradient.Z * gradient.Z + squares;
-                double next = Math.Min(0.0, multipliers[i] - relaxation * (constraint + compliance * multipliers[i]) / (stiffness + compliance));
+                double next =
+                    Math.Min(0.0, multipliers[i] - relaxation * (constraint + compliance * multipliers[i]) / (stiffness + compliance));
                 changes[i] = next - multipliers[i];
                 multipliers[i] = next;
             }
@@ -156,17 +163,18 @@ namespace SphFluid.Tests
         }
 
         // No nearer to a face than the shell, or than it was predicted.
-        Double3 Shelled(Double3 p, Double3 predicted)
+        private Double3 Shelled(Double3 p, Double3 predicted)
         {
             double shell = 0.25 * settings.Spacing;
             Vector3 half = 0.5f * settings.DomainSize, period = settings.PeriodLength;
             double Within(double x, double expected, double reach, double length) => length > 0.0 ? x
                 : Math.Min(Math.Max(x, Math.Min(shell - reach, expected)), Math.Max(reach - shell, expected));
-            return new Double3(Within(p.X, predicted.X, half.x, period.x), Within(p.Y, predicted.Y, half.y, period.y), Within(p.Z, predicted.Z, half.z, period.z));
+            return new Double3(Within(p.X, predicted.X, half.x, period.x), Within(p.Y, predicted.Y, half.y, period.y),
+                Within(p.Z, predicted.Z, half.z, period.z));
         }
 
         // Forces at the places at which the last multipliers were found.
-        void Finish(double viscosity, double sound)
+        private void Finish(double viscosity, double sound)
         {
             int count = places.Length;
             FluidSolverSettings pairs = settings.WithSoundSpeed((float)sound);

@@ -4,7 +4,9 @@ using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>The Standard method's sums by all pairs in double precision; walls by numerical quadrature of the kernel's slices.</summary>
+    /// <summary>
+    /// The Standard method's sums by all pairs in double precision; walls by numerical quadrature of the kernel's slices.
+    /// </summary>
     public static class StandardReference
     {
         /// <summary>Wendland's C2 kernel [1/m³].</summary>
@@ -38,8 +40,7 @@ namespace SphFluid.Tests
         public static double Mirror(double distance, double radius, double spacing)
         {
             double sum = 0.0;
-            for (int layer = 0; layer < 3; layer++)
-                sum += Slice((2.0 * Math.Max(0.0, distance) + layer * spacing) / radius);
+            for (int layer = 0; layer < 3; layer++) sum += Slice((2.0 * Math.Max(0.0, distance) + layer * spacing) / radius);
             return sum * spacing / radius;
         }
 
@@ -70,8 +71,7 @@ namespace SphFluid.Tests
                 double sum = 0.0;
                 for (int z = -reach; z <= reach; z++)
                     for (int y = -reach; y <= reach; y++)
-                        for (int x = -reach; x <= reach; x++)
-                            sum += Kernel(dx * new Double3(scale * x, y, z).Length, radius);
+                        for (int x = -reach; x <= reach; x++) sum += Kernel(dx * new Double3(scale * x, y, z).Length, radius);
                 return sum;
             }
             return (Sum(1.0 - strain) - Sum(1.0 + strain)) / (2.0 * strain * Sum(1.0));
@@ -82,7 +82,10 @@ namespace SphFluid.Tests
         {
             double sum = settings.RestDensity * Walls(particles[i].Position, settings);
             for (int j = 0; j < particles.Count; j++)
-                sum += settings.ParticleMass * Kernel(ThesisReference.Separation(particles[i], particles[j], settings.PeriodLength).Length, settings.SupportRadius);
+            {
+                sum += settings.ParticleMass * Kernel(ThesisReference.Separation(particles[i], particles[j], settings.PeriodLength).Length,
+                    settings.SupportRadius);
+            }
             return settings.RestDensity + (sum - settings.RestDensity) / Response(settings);
         }
 
@@ -96,7 +99,8 @@ namespace SphFluid.Tests
         }
 
         /// <summary>Acceleration without contact, of a step of c dt/dx ≤ 1 [m/s²].</summary>
-        public static Double3 Acceleration(IReadOnlyList<FluidParticle> particles, IReadOnlyList<double> density, int i, in FluidSolverSettings settings)
+        public static Double3 Acceleration(IReadOnlyList<FluidParticle> particles, IReadOnlyList<double> density, int i,
+            in FluidSolverSettings settings)
         {
             double radius = settings.SupportRadius, rest = settings.RestDensity, c2 = settings.SoundSpeed * (double)settings.SoundSpeed;
             double Term(int k) => Math.Max(0.0, c2 * (density[k] - rest)) / (density[k] * density[k]);

@@ -37,10 +37,7 @@ namespace SphFluid.Tests
                 lists[i] = new List<int>();
                 for (int j = 0; j < lists.Length; j++)
                 {
-                    if (i != j && Distance(particles[i], particles[j]) < h)
-                    {
-                        lists[i].Add(j);
-                    }
+                    if (i != j && Distance(particles[i], particles[j]) < h) lists[i].Add(j);
                 }
             }
 
@@ -62,7 +59,7 @@ namespace SphFluid.Tests
             return new Double3(Shortest(d.X, period.x), Shortest(d.Y, period.y), Shortest(d.Z, period.z));
         }
 
-        static double Shortest(double d, double period)
+        private static double Shortest(double d, double period)
         {
             double best = d;
             for (int image = -1; image <= 1; image += 2)
@@ -115,10 +112,7 @@ namespace SphFluid.Tests
             {
                 Double3 separation = Separation(particles[i], particles[j], settings.PeriodLength);
                 double r = separation.Length;
-                if (j == i || r >= h)
-                {
-                    continue;
-                }
+                if (j == i || r >= h) continue;
 
                 Double3 towardsI = r > 1e-6 * h
                     ? separation / r

@@ -15,33 +15,43 @@ namespace SphFluid
     [ManualPage("drawing", "the-thesiss-surface")]
     public sealed class FluidGeometrySurfaceRenderer : FluidRenderer
     {
-        [SerializeField, Tooltip("What is drawn: the surface, or the edges of the grid's cubes with a vertex inside it. A material of your own draws what its keyword FLUID_CUBES says.")]
-        FluidSurfaceStyle style = FluidSurfaceStyle.MarchingCubes;
+        [SerializeField,
+            Tooltip(
+                "What is drawn: the surface, or the edges of the grid's cubes with a vertex inside it. A material of your own draws what " +
+                "its keyword FLUID_CUBES says.")]
+        private FluidSurfaceStyle style = FluidSurfaceStyle.MarchingCubes;
 
         [SerializeField, Tooltip("Cells a side of the grid over the domain. Automatic: 128 on a graphics card, 64 where the CPU draws.")]
-        SurfaceGridSize gridSize = SurfaceGridSize.Automatic;
+        private SurfaceGridSize gridSize = SurfaceGridSize.Automatic;
 
-        [SerializeField, Range(0.05f, 0.95f), Tooltip("The surface lies where the density is this part of the rest density. Lower: fatter liquid, more drops.")]
-        float isoValue = 0.5f;
+        [SerializeField, Range(0.05f, 0.95f),
+            Tooltip("The surface lies where the density is this part of the rest density. Lower: fatter liquid, more drops.")]
+        private float isoValue = 0.5f;
 
-        [SerializeField, Tooltip("Whether the density at the domain's walls is completed as if the liquid went on behind them. Off: as the thesis prints it.")]
-        bool wallCompletion = true;
+        [SerializeField,
+            Tooltip(
+                "Whether the density at the domain's walls is completed as if the liquid went on behind them. Off: as the thesis prints " +
+                "it.")]
+        private bool wallCompletion = true;
 
-        [SerializeField, Tooltip("Material with the shader 'SPH Fluid/Surface (Geometry Shader)'. Empty: one made from the colour and smoothness below.")]
-        Material material;
+        [SerializeField,
+            Tooltip(
+                "Material with the shader 'SPH Fluid/Surface (Geometry Shader)'. Empty: one made from the colour and smoothness below.")]
+        private Material material;
 
         [SerializeField, FormerlySerializedAs("colour"), Tooltip("Colour of the liquid, if no material is given.")]
-        Color color = new Color(0.06f, 0.4f, 0.66f);
+        private Color color = new Color(0.06f, 0.4f, 0.66f);
 
-        [SerializeField, Range(0f, 1f), Tooltip("Smoothness of the surface, if no material is given: how small and bright its highlights are.")]
-        float smoothness = 0.75f;
+        [SerializeField, Range(0f, 1f),
+            Tooltip("Smoothness of the surface, if no material is given: how small and bright its highlights are.")]
+        private float smoothness = 0.75f;
 
-        readonly FluidSurfaceOptions fallbackOptions = new FluidSurfaceOptions();
-        CommandBuffer cmd;
-        SurfaceField field;
-        GeometrySurface surface;
-        LiquidDrawing fallback;
-        FluidShaderSet shaderSet;
+        private readonly FluidSurfaceOptions fallbackOptions = new FluidSurfaceOptions();
+        private CommandBuffer cmd;
+        private SurfaceField field;
+        private GeometrySurface surface;
+        private LiquidDrawing fallback;
+        private FluidShaderSet shaderSet;
 
         /// <summary>Says what the device does not have; tests put their own answer here.</summary>
         internal Func<string> MissingSupport { get; set; } = GeometrySurface.MissingSupport;
@@ -121,7 +131,7 @@ namespace SphFluid
                 DrawSurface(drawn);
         }
 
-        void DrawSurface(FluidSimulation drawn)
+        private void DrawSurface(FluidSimulation drawn)
         {
             FitField(drawn.Solver);
             cmd.Clear();
@@ -135,7 +145,7 @@ namespace SphFluid
             surface.Draw(field, material, placement);
         }
 
-        void FitField(FluidSolver solver)
+        private void FitField(FluidSolver solver)
         {
             SurfaceGrid grid = GridSize.OverDomain(solver.Settings.DomainSize);
             if (field == null || !field.Grid.Equals(grid))

@@ -13,17 +13,17 @@ namespace SphFluid
         /// <summary>BIT_BSIZE of the shader.</summary>
         public const int BlockSize = 1024;
 
-        const int MaxCount = 1 << 30;
+        private const int MaxCount = 1 << 30;
 
-        static readonly int Data = Id("_Data");
-        static readonly int Input = Id("_Input");
-        static readonly int Level = Id("_Level");
-        static readonly int LevelMask = Id("_LevelMask");
-        static readonly int Width = Id("_Width");
-        static readonly int Height = Id("_Height");
-        static readonly int MergeDistance = Id("_MergeDistance");
+        private static readonly int Data = Id("_Data");
+        private static readonly int Input = Id("_Input");
+        private static readonly int Level = Id("_Level");
+        private static readonly int LevelMask = Id("_LevelMask");
+        private static readonly int Width = Id("_Width");
+        private static readonly int Height = Id("_Height");
+        private static readonly int MergeDistance = Id("_MergeDistance");
 
-        readonly ComputeKernel bitonicSort, matrixTranspose, bitonicMerge;
+        private readonly ComputeKernel bitonicSort, matrixTranspose, bitonicMerge;
 
         public BitonicSortPass(FluidShaderSet shaders)
             : base(shaders, "BitonicSort")
@@ -38,7 +38,8 @@ namespace SphFluid
         {
             if (count > MaxCount)
             {
-                throw new FluidDeviceException($"{count} particles are more than the sort can index, {MaxCount}. Use a larger particle spacing.");
+                throw new FluidDeviceException(
+                    $"{count} particles are more than the sort can index, {MaxCount}. Use a larger particle spacing.");
             }
 
             return Mathf.NextPowerOfTwo(Mathf.Max(count, BlockSize));
@@ -55,15 +56,9 @@ namespace SphFluid
         {
             using (Sample(cmd))
             {
-                for (int level = 2; level <= BlockSize; level <<= 1)
-                {
-                    SortRows(cmd, data, level, level, count);
-                }
+                for (int level = 2; level <= BlockSize; level <<= 1) SortRows(cmd, data, level, level, count);
 
-                for (int level = BlockSize << 1; level <= count && level > 0; level <<= 1)
-                {
-                    RecordLevel(cmd, data, temp, level, count);
-                }
+                for (int level = BlockSize << 1; level <= count && level > 0; level <<= 1) RecordLevel(cmd, data, temp, level, count);
             }
         }
 
@@ -88,7 +83,7 @@ namespace SphFluid
             SortRows(cmd, data, BlockSize, level & ~count, count);
         }
 
-        void SortRows(CommandBuffer cmd, GraphicsBuffer data, int level, int levelMask, int count)
+        private void SortRows(CommandBuffer cmd, GraphicsBuffer data, int level, int levelMask, int count)
         {
             bitonicSort.SetInt(cmd, Level, level);
             bitonicSort.SetInt(cmd, LevelMask, levelMask);
@@ -96,7 +91,7 @@ namespace SphFluid
             bitonicSort.DispatchThreads(cmd, count);
         }
 
-        void Transpose(CommandBuffer cmd, GraphicsBuffer from, GraphicsBuffer to, int width, int height)
+        private void Transpose(CommandBuffer cmd, GraphicsBuffer from, GraphicsBuffer to, int width, int height)
         {
             matrixTranspose.SetInt(cmd, Width, width);
             matrixTranspose.SetInt(cmd, Height, height);

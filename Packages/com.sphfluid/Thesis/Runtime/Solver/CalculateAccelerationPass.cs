@@ -2,25 +2,27 @@ using UnityEngine.Rendering;
 
 namespace SphFluid
 {
-    /// <summary>Thesis 6.3.3: the fluid's acceleration, limited, then the collisions' over the scene's triangles, then gravity and the body force.</summary>
+    /// <summary>
+    /// Thesis 6.3.3: the fluid's acceleration, limited, then the collisions' over the scene's triangles, then gravity and the body force.
+    /// </summary>
     internal sealed class CalculateAccelerationPass : ComputePass
     {
-        static readonly int ParticleCount = Id("_ParticleCount");
-        static readonly int PrintedMass = Id("_PrintedMass");
-        static readonly int AccelerationLimit = Id("_AccelerationLimit");
-        static readonly int Gravity = Id("_Gravity");
-        static readonly int TimeStep = Id("_TimeStep");
-        static readonly int KickStep = Id("_KickStep");
-        static readonly int DomainHalfSize = Id("_DomainHalfSize");
-        static readonly int WallStiffness = Id("_WallStiffness");
-        static readonly int WallDamping = Id("_WallDamping");
-        static readonly int WallDistance = Id("_WallDistance");
-        static readonly int WallReach = Id("_WallReach");
-        static readonly int ColliderCount = Id("_ColliderCount");
-        static readonly int Triangles = Id("_Triangles");
-        static readonly int Colliders = Id("_Colliders");
+        private static readonly int ParticleCount = Id("_ParticleCount");
+        private static readonly int PrintedMass = Id("_PrintedMass");
+        private static readonly int AccelerationLimit = Id("_AccelerationLimit");
+        private static readonly int Gravity = Id("_Gravity");
+        private static readonly int TimeStep = Id("_TimeStep");
+        private static readonly int KickStep = Id("_KickStep");
+        private static readonly int DomainHalfSize = Id("_DomainHalfSize");
+        private static readonly int WallStiffness = Id("_WallStiffness");
+        private static readonly int WallDamping = Id("_WallDamping");
+        private static readonly int WallDistance = Id("_WallDistance");
+        private static readonly int WallReach = Id("_WallReach");
+        private static readonly int ColliderCount = Id("_ColliderCount");
+        private static readonly int Triangles = Id("_Triangles");
+        private static readonly int Colliders = Id("_Colliders");
 
-        readonly ComputeKernel kernel;
+        private readonly ComputeKernel kernel;
 
         public CalculateAccelerationPass(FluidShaderSet shaders)
             : base(shaders, "CalculateAcceleration")

@@ -6,15 +6,15 @@ namespace SphFluid
     internal sealed class CalculateDensityPass : ComputePass
     {
         // Below every pressure: equation (10) as printed.
-        const float NoFloor = -1e30f;
+        private const float NoFloor = -1e30f;
 
-        static readonly int ParticleCount = Id("_ParticleCount");
-        static readonly int SelfDensity = Id("_SelfDensity");
-        static readonly int RestDensity = Id("_RestDensity");
-        static readonly int Stiffness = Id("_Stiffness");
-        static readonly int PressureFloor = Id("_PressureFloor");
+        private static readonly int ParticleCount = Id("_ParticleCount");
+        private static readonly int SelfDensity = Id("_SelfDensity");
+        private static readonly int RestDensity = Id("_RestDensity");
+        private static readonly int Stiffness = Id("_Stiffness");
+        private static readonly int PressureFloor = Id("_PressureFloor");
 
-        readonly ComputeKernel kernel;
+        private readonly ComputeKernel kernel;
 
         public CalculateDensityPass(FluidShaderSet shaders)
             : base(shaders, "CalculateDensity")

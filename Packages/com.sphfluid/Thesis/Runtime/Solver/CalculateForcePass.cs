@@ -5,12 +5,12 @@ namespace SphFluid
     /// <summary>Thesis 6.3.2: force densities of pressure, equations (13) and (14), and of viscosity, (15) to (17).</summary>
     internal sealed class CalculateForcePass : ComputePass
     {
-        static readonly int ParticleCount = Id("_ParticleCount");
-        static readonly int SmoothLength = Id("_SmoothLength");
-        static readonly int PressureCoefficient = Id("_PressureCoefficient");
-        static readonly int ViscosityCoefficient = Id("_ViscosityCoefficient");
+        private static readonly int ParticleCount = Id("_ParticleCount");
+        private static readonly int SmoothLength = Id("_SmoothLength");
+        private static readonly int PressureCoefficient = Id("_PressureCoefficient");
+        private static readonly int ViscosityCoefficient = Id("_ViscosityCoefficient");
 
-        readonly ComputeKernel kernel;
+        private readonly ComputeKernel kernel;
 
         public CalculateForcePass(FluidShaderSet shaders)
             : base(shaders, "CalculateForce")

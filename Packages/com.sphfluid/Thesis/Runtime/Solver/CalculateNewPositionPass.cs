@@ -5,14 +5,14 @@ namespace SphFluid
     /// <summary>Thesis 6.3.4: leapfrog, equations (19) to (21).</summary>
     internal sealed class CalculateNewPositionPass : ComputePass
     {
-        static readonly int ParticleCount = Id("_ParticleCount");
-        static readonly int TimeStep = Id("_TimeStep");
-        static readonly int KickStep = Id("_KickStep");
-        static readonly int KickPart = Id("_KickPart");
-        static readonly int FirstStep = Id("_FirstStep");
-        static readonly int DomainHalfSize = Id("_DomainHalfSize");
+        private static readonly int ParticleCount = Id("_ParticleCount");
+        private static readonly int TimeStep = Id("_TimeStep");
+        private static readonly int KickStep = Id("_KickStep");
+        private static readonly int KickPart = Id("_KickPart");
+        private static readonly int FirstStep = Id("_FirstStep");
+        private static readonly int DomainHalfSize = Id("_DomainHalfSize");
 
-        readonly ComputeKernel kernel;
+        private readonly ComputeKernel kernel;
 
         public CalculateNewPositionPass(FluidShaderSet shaders)
             : base(shaders, "CalculateNewPosition")

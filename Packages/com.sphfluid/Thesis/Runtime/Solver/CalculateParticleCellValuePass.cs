@@ -5,10 +5,10 @@ namespace SphFluid
     /// <summary>Thesis 6.2.2: the pair (cell, id) of each particle, padded to the power of two that the sort needs.</summary>
     internal sealed class CalculateParticleCellValuePass : ComputePass
     {
-        static readonly int ParticleCount = Id("_ParticleCount");
-        static readonly int PaddedCount = Id("_PaddedCount");
+        private static readonly int ParticleCount = Id("_ParticleCount");
+        private static readonly int PaddedCount = Id("_PaddedCount");
 
-        readonly ComputeKernel kernel;
+        private readonly ComputeKernel kernel;
 
         public CalculateParticleCellValuePass(FluidShaderSet shaders)
             : base(shaders, "CalculateParticleCellValue")

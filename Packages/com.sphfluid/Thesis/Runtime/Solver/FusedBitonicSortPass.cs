@@ -4,8 +4,8 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>
-    /// The comparisons of <see cref="BitonicSortPass"/> in the same order, so with the same result, in a third of the dispatches: 65,536 pairs
-    /// take 11 in place of 34. Sorts in place, without a transpose.
+    /// The comparisons of <see cref="BitonicSortPass"/> in the same order, so with the same result, in a third of the dispatches: 65,536
+    /// pairs take 11 in place of 34. Sorts in place, without a transpose.
     /// </summary>
     internal sealed class FusedBitonicSortPass : ComputePass
     {
@@ -13,17 +13,17 @@ namespace SphFluid
         public const int Held = 2048;
 
         // A strip of 16 columns is 128 bytes of a row: less would leave part of what memory delivers at once unused.
-        const int MostRows = 128;
+        private const int MostRows = 128;
 
-        static readonly int Data = Id("_Data");
-        static readonly int Count = Id("_Count");
-        static readonly int Rows = Id("_Rows");
-        static readonly int FirstLevel = Id("_FirstLevel");
-        static readonly int LastLevel = Id("_LastLevel");
-        static readonly int LastDistance = Id("_LastDistance");
+        private static readonly int Data = Id("_Data");
+        private static readonly int Count = Id("_Count");
+        private static readonly int Rows = Id("_Rows");
+        private static readonly int FirstLevel = Id("_FirstLevel");
+        private static readonly int LastLevel = Id("_LastLevel");
+        private static readonly int LastDistance = Id("_LastDistance");
 
-        readonly ComputeKernel kernel;
-        readonly BitonicSortPass thesis;
+        private readonly ComputeKernel kernel;
+        private readonly BitonicSortPass thesis;
 
         /// <param name="shaders">The shaders.</param>
         /// <param name="thesis">The thesis's sort, for distances that no strip reaches.</param>
@@ -58,7 +58,7 @@ namespace SphFluid
             }
         }
 
-        void Dispatch(CommandBuffer cmd, GraphicsBuffer data, int count, int rows, int firstLevel, int lastLevel, int lastDistance)
+        private void Dispatch(CommandBuffer cmd, GraphicsBuffer data, int count, int rows, int firstLevel, int lastLevel, int lastDistance)
         {
             kernel.SetInt(cmd, Count, count);
             kernel.SetInt(cmd, Rows, rows);

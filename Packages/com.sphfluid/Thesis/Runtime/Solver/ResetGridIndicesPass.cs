@@ -5,9 +5,9 @@ namespace SphFluid
     /// <summary>Thesis 6.2.4: every cell is empty.</summary>
     internal sealed class ResetGridIndicesPass : ComputePass
     {
-        static readonly int CellCount = Id("_CellCount");
+        private static readonly int CellCount = Id("_CellCount");
 
-        readonly ComputeKernel kernel;
+        private readonly ComputeKernel kernel;
 
         public ResetGridIndicesPass(FluidShaderSet shaders)
             : base(shaders, "ResetGridIndices")

@@ -5,9 +5,9 @@ namespace SphFluid
     /// <summary>Thesis 6.2.5: first and end of each cell's run in the sorted pairs.</summary>
     internal sealed class SetGridIndicesPass : ComputePass
     {
-        static readonly int ParticleCount = Id("_ParticleCount");
+        private static readonly int ParticleCount = Id("_ParticleCount");
 
-        readonly ComputeKernel kernel;
+        private readonly ComputeKernel kernel;
 
         public SetGridIndicesPass(FluidShaderSet shaders)
             : base(shaders, "SetGridIndices")

@@ -5,9 +5,9 @@ namespace SphFluid
     /// <summary>Thesis 6.2.6: the particles in the order of their cells, written to the second buffer; the two are exchanged.</summary>
     internal sealed class SortParticlesPass : ComputePass
     {
-        static readonly int ParticleCount = Id("_ParticleCount");
+        private static readonly int ParticleCount = Id("_ParticleCount");
 
-        readonly ComputeKernel kernel;
+        private readonly ComputeKernel kernel;
 
         public SortParticlesPass(FluidShaderSet shaders)
             : base(shaders, "SortParticles")

@@ -5,12 +5,14 @@ namespace SphFluid
     /// <summary>The thesis's method, corrected or as printed.</summary>
     internal sealed class ThesisMethod : FluidMethod
     {
-        static readonly ShaderGroup Group = new ShaderGroup("the thesis method", "Thesis/Shaders/Solver",
+        private static readonly ShaderGroup Group = new ShaderGroup("the thesis method", "Thesis/Shaders/Solver",
             groupThreads: 1024, buffers: 7, writableBuffers: 3, groupMemory: 16384, vertexBuffers: 0,
-            "CalculateParticleCellValue", "BitonicSort", "FusedBitonicSort", "ResetGridIndices", "SetGridIndices", "SortParticles", "CalculateDensity",
+            "CalculateParticleCellValue", "BitonicSort", "FusedBitonicSort", "ResetGridIndices", "SetGridIndices", "SortParticles",
+            "CalculateDensity",
             "CalculateForce", "CalculateAcceleration", "CalculateNewPosition");
 
-        static readonly string[] Fields = { "timeStepFraction", "wallDistanceRatio", "wallStiffnessRatio", "wallDampingRatio", "thesisSwitches" };
+        private static readonly string[] Fields = { "timeStepFraction", "wallDistanceRatio", "wallStiffnessRatio", "wallDampingRatio",
+            "thesisSwitches" };
 
         public ThesisMethod(FluidMethodKind kind)
         {
@@ -29,7 +31,7 @@ namespace SphFluid
 
         public override long MaxCells => int.MaxValue;
 
-        bool IsPrinted => Kind == FluidMethodKind.ThesisPrinted;
+        private bool IsPrinted => Kind == FluidMethodKind.ThesisPrinted;
 
         public override FluidSolverSettings Derive(in FluidRuleInput input) => ThesisRules.Derive(input);
 

@@ -11,7 +11,8 @@ namespace SphFluid
     /// <item><description>k = 2 c_eff²: equation (13) has ½ (p_i + p_j), half of the pressure gradient.</description></item>
     /// <item><description>m = ρ0 dx³ / Σ W dx³: the rest lattice has the rest density.</description></item>
     /// <item><description>ν = max(real, α c_eff R): poly6 against spiky feeds energy in, which this takes out.</description></item>
-    /// <item><description>dt = 0.6 · 1.35 R/√k, and no more than speed, 0.4 dx/v_max, viscosity, 0.06 R²/ν, and walls allow: <see cref="TimeStepAdvice"/>.</description></item>
+    /// <item><description>dt = 0.6 · 1.35 R/√k, and no more than speed, 0.4 dx/v_max, viscosity, 0.06 R²/ν, and walls allow:
+    /// <see cref="TimeStepAdvice"/>.</description></item>
     /// <item><description>k_w = (v_max/d)², c_w = 2 √k_w, d = dx/2: a wall stops v_max in d without rebound.</description></item>
     /// </list>
     /// </summary>
@@ -27,10 +28,10 @@ namespace SphFluid
         public const double ViscousLimit = 0.06;
 
         // Penalty wall: k_w dt² < 4 − 2 c_w dt, kept with a tenth to spare.
-        const double WallMargin = 0.9;
+        private const double WallMargin = 0.9;
 
         // The emergency limit moves a particle by one spacing in one step from rest.
-        const double AccelerationReach = 1.0;
+        private const double AccelerationReach = 1.0;
 
         internal static FluidSolverSettings Derive(in FluidRuleInput input)
         {
@@ -115,8 +116,10 @@ namespace SphFluid
                 factor * settings.Viscosity / settings.RestDensity, own.WallStiffness, own.WallDamping);
         }
 
-        // Advice from bare numbers. With c and v: the waves that two parts of the liquid send each other run at c on top of their own speed.
-        static TimeStepAdvice Advise(double spacing, double radius, double sound, double speed, double kinematic, double wallStiffness, double wallDamping) =>
+        // Advice from bare numbers. With c and v: the waves that two parts of the liquid send each other run at c on top of their own
+        // speed.
+        private static TimeStepAdvice Advise(double spacing, double radius, double sound, double speed, double kinematic,
+            double wallStiffness, double wallDamping) =>
             new TimeStepAdvice(
                 AcousticBorder * radius / (Math.Sqrt(2.0 * sound * sound) * (1.0 + speed / sound)),
                 TimeStepAdvice.SpeedStep(spacing, speed),
@@ -124,7 +127,7 @@ namespace SphFluid
                 WallStep(wallStiffness, wallDamping), sound, speed, kinematic);
 
         // Largest dt with k dt² = margin (4 − 2 c dt).
-        static double WallStep(double stiffness, double damping)
+        private static double WallStep(double stiffness, double damping)
         {
             if (stiffness <= 0.0) return double.PositiveInfinity;
             double half = WallMargin * damping;

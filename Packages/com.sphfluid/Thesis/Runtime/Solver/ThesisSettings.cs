@@ -9,8 +9,9 @@ namespace SphFluid
         public float Stiffness;
 
         /// <summary>
-        /// Emergency limit on the fluid's own acceleration [m/s²], for steps of <see cref="FluidSolverSettings.TimeStep"/>; gravity, body force
-        /// and contact are not limited. A distance a step, so steps of another length scale it by 1/dt², unless <see cref="AccelerationLimitFixed"/>.
+        /// Emergency limit on the fluid's own acceleration [m/s²], for steps of <see cref="FluidSolverSettings.TimeStep"/>; gravity, body
+        /// force and contact are not limited. A distance a step, so steps of another length scale it by 1/dt², unless
+        /// <see cref="AccelerationLimitFixed"/>.
         /// </summary>
         public float AccelerationLimit;
 

@@ -5,25 +5,25 @@ namespace SphFluid
 {
     /// <summary>
     /// The fluid blocks of chapter 6 in their order, one pass each. Fluid Setup (6.2): CalculateParticleCellValue,
-    /// BitonicSort (or the same sort fused), ResetGridIndices, SetGridIndices, SortParticles. SPH Calculations (6.3): CalculateDensity, CalculateForce,
-    /// CalculateAcceleration, CalculateNewPosition.
+    /// BitonicSort (or the same sort fused), ResetGridIndices, SetGridIndices, SortParticles. SPH Calculations (6.3): CalculateDensity,
+    /// CalculateForce, CalculateAcceleration, CalculateNewPosition.
     /// </summary>
     internal sealed class ThesisStepper : IFluidStepper
     {
         // The thesis itself asks what it is for.
-        const string OptionalPass = "ResetGridIndices";
+        private const string OptionalPass = "ResetGridIndices";
 
-        readonly ThesisState state;
-        readonly CalculateParticleCellValuePass calculateParticleCellValue;
-        readonly BitonicSortPass bitonicSort;
-        readonly FusedBitonicSortPass fusedBitonicSort;
-        readonly ResetGridIndicesPass resetGridIndices;
-        readonly SetGridIndicesPass setGridIndices;
-        readonly SortParticlesPass sortParticles;
-        readonly CalculateDensityPass calculateDensity;
-        readonly CalculateForcePass calculateForce;
-        readonly CalculateAccelerationPass calculateAcceleration;
-        readonly CalculateNewPositionPass calculateNewPosition;
+        private readonly ThesisState state;
+        private readonly CalculateParticleCellValuePass calculateParticleCellValue;
+        private readonly BitonicSortPass bitonicSort;
+        private readonly FusedBitonicSortPass fusedBitonicSort;
+        private readonly ResetGridIndicesPass resetGridIndices;
+        private readonly SetGridIndicesPass setGridIndices;
+        private readonly SortParticlesPass sortParticles;
+        private readonly CalculateDensityPass calculateDensity;
+        private readonly CalculateForcePass calculateForce;
+        private readonly CalculateAccelerationPass calculateAcceleration;
+        private readonly CalculateNewPositionPass calculateNewPosition;
 
         public ThesisStepper(in FluidSolverSettings settings, FluidShaderSet shaders, int particleCount)
         {
@@ -76,7 +76,7 @@ namespace SphFluid
             RecordNeighbourSetup(cmd, false);
         }
 
-        void RecordNeighbourSetup(CommandBuffer cmd, bool reset)
+        private void RecordNeighbourSetup(CommandBuffer cmd, bool reset)
         {
             calculateParticleCellValue.Record(cmd, state);
             if (state.Own.FusedSort) fusedBitonicSort.Record(cmd, state);

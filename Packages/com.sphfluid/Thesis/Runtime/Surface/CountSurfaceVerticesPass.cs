@@ -7,11 +7,11 @@ namespace SphFluid
     /// How many triangle corners the surface of a dense field has
     /// (Shaders/Surface/Thesis/CountSurfaceVertices.compute).
     /// </summary>
-    sealed class CountSurfaceVerticesPass : ComputePass
+    internal sealed class CountSurfaceVerticesPass : ComputePass
     {
-        static readonly int VertexCount = Id("_SurfaceVertexCount");
+        private static readonly int VertexCount = Id("_SurfaceVertexCount");
 
-        readonly ComputeKernel kernel;
+        private readonly ComputeKernel kernel;
 
         public CountSurfaceVerticesPass(FluidShaderSet shaders)
             : base(shaders, "CountSurfaceVertices")

@@ -8,7 +8,7 @@ namespace SphFluid
     /// A triangle's corner as EmitSurfaceVertices.compute writes it; mirrors the struct of EmittedVertex.hlsl.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
-    struct EmittedVertex
+    internal struct EmittedVertex
     {
         /// <summary>Bytes of one element.</summary>
         public const int Stride = 32;
@@ -30,13 +30,13 @@ namespace SphFluid
     /// The triangles of a dense field's surface, an <see cref="EmittedVertex"/> a corner
     /// (Shaders/Surface/Thesis/EmitSurfaceVertices.compute).
     /// </summary>
-    sealed class EmitSurfaceVerticesPass : ComputePass
+    internal sealed class EmitSurfaceVerticesPass : ComputePass
     {
-        static readonly int VertexCount = Id("_SurfaceVertexCount");
-        static readonly int Vertices = Id("_SurfaceVertices");
-        static readonly int Capacity = Id("_SurfaceVertexCapacity");
+        private static readonly int VertexCount = Id("_SurfaceVertexCount");
+        private static readonly int Vertices = Id("_SurfaceVertices");
+        private static readonly int Capacity = Id("_SurfaceVertexCapacity");
 
-        readonly ComputeKernel kernel;
+        private readonly ComputeKernel kernel;
 
         public EmitSurfaceVerticesPass(FluidShaderSet shaders)
             : base(shaders, "EmitSurfaceVertices")

@@ -7,7 +7,7 @@ namespace SphFluid
     /// Draws the surface of a field as the thesis does (6.4.4): one point a cube, its number passed through the vertex
     /// shader, triangles made by the geometry shader, light by the pixel shader.
     /// </summary>
-    sealed class GeometrySurface : IDisposable
+    internal sealed class GeometrySurface : IDisposable
     {
         /// <summary>Its shaders, those of its compute twin among them.</summary>
         public static readonly ShaderGroup Group = new ShaderGroup("the thesis's surface", "Thesis/Shaders/Surface",
@@ -18,21 +18,20 @@ namespace SphFluid
         private const string ShaderName = "SPH Fluid/Surface (Geometry Shader)";
 
         // The grid and the tables.
-        const int GeometryBuffers = 2;
-        const string CubesKeyword = "FLUID_CUBES";
+        private const int GeometryBuffers = 2;
+        private const string CubesKeyword = "FLUID_CUBES";
 
-        readonly MaterialPropertyBlock properties = new MaterialPropertyBlock();
-        readonly SceneLighting lighting = new SceneLighting();
-        readonly FluidBuffer tables;
-        Material material;
+        private readonly MaterialPropertyBlock properties = new MaterialPropertyBlock();
+        private readonly SceneLighting lighting = new SceneLighting();
+        private readonly FluidBuffer tables;
+        private Material material;
 
         /// <exception cref="FluidDeviceException">The device has no geometry shaders, or the shader is
         /// missing.</exception>
         public GeometrySurface(FluidShaderSet shaders)
         {
             string missing = MissingSupport();
-            if (missing != null)
-                throw new FluidDeviceException(missing);
+            if (missing != null) throw new FluidDeviceException(missing);
             material = DrawMaterial.Create(shaders, ShaderName);
             tables = MarchingCubesTables.CreateBuffer();
         }
@@ -45,7 +44,9 @@ namespace SphFluid
             DeviceCapabilities device = DeviceCapabilities.Query();
             foreach (string shortfall in Group.Shortfalls(device)) return shortfall;
             if (SystemInfo.maxComputeBufferInputsGeometry < GeometryBuffers)
+            {
                 return $"{device.Name} cannot read {GeometryBuffers} buffers in the geometry shader, which the thesis's surface needs.";
+            }
             return null;
         }
 

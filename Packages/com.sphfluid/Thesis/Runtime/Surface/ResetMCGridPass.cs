@@ -7,9 +7,9 @@ namespace SphFluid
     /// Thesis 6.4.2: empties the marching-cubes grid before the density factors are summed
     /// (Shaders/Surface/Thesis/ResetMCGrid.compute).
     /// </summary>
-    sealed class ResetMCGridPass : ComputePass
+    internal sealed class ResetMCGridPass : ComputePass
     {
-        readonly ComputeKernel kernel;
+        private readonly ComputeKernel kernel;
 
         public ResetMCGridPass(FluidShaderSet shaders)
             : base(shaders, "ResetMCGrid")

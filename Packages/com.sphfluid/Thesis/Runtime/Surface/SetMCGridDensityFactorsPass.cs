@@ -8,12 +8,12 @@ namespace SphFluid
     /// give there, found through the cells of the vertex's octant in the fluid grid, as a fraction of the rest density
     /// (Shaders/Surface/Thesis/SetMCGridDensityFactors.compute).
     /// </summary>
-    sealed class SetMCGridDensityFactorsPass : ComputePass
+    internal sealed class SetMCGridDensityFactorsPass : ComputePass
     {
-        static readonly int DensityScale = Id("_MCDensityScale");
-        static readonly int WallCompletion = Id("_MCWallCompletion");
+        private static readonly int DensityScale = Id("_MCDensityScale");
+        private static readonly int WallCompletion = Id("_MCWallCompletion");
 
-        readonly ComputeKernel kernel;
+        private readonly ComputeKernel kernel;
 
         public SetMCGridDensityFactorsPass(FluidShaderSet shaders)
             : base(shaders, "SetMCGridDensityFactors")

@@ -10,9 +10,9 @@ namespace SphFluid
     /// </summary>
     public sealed class SurfaceField : IDisposable
     {
-        readonly ResetMCGridPass resetGrid;
-        readonly SetMCGridDensityFactorsPass setDensityFactors;
-        readonly FluidBuffer values;
+        private readonly ResetMCGridPass resetGrid;
+        private readonly SetMCGridDensityFactorsPass setDensityFactors;
+        private readonly FluidBuffer values;
 
         /// <summary>A field on a grid.</summary>
         /// <param name="shaders">Shader set with the surface field's kernels.</param>
@@ -21,16 +21,19 @@ namespace SphFluid
         public SurfaceField(FluidShaderSet shaders, SurfaceGrid grid)
         {
             if (shaders == null)
+            {
                 throw new ArgumentNullException(nameof(shaders),
                     "A surface field needs a shader set: assign one in the fluid profile.");
-            if (grid.Cells.x < 1)
-                throw new ArgumentException("A surface field needs a grid that was made with a size.", nameof(grid));
+            }
+            if (grid.Cells.x < 1) throw new ArgumentException("A surface field needs a grid that was made with a size.", nameof(grid));
             Grid = grid;
             if (GpuBytes > SystemInfo.maxGraphicsBufferSize)
             {
                 throw new FluidDeviceException(
-                    $"A surface grid of {grid.Cells.x} x {grid.Cells.y} x {grid.Cells.z} cells needs a buffer of {GpuBytes / 1048576.0:F0} MiB; " +
-                    $"{SystemInfo.graphicsDeviceName} allows {SystemInfo.maxGraphicsBufferSize / 1048576.0:F0} MiB. Choose a smaller grid size.");
+                    $"A surface grid of {grid.Cells.x} x {grid.Cells.y} x {grid.Cells.z} cells needs a buffer of " +
+                    $"{GpuBytes / 1048576.0:F0} MiB; " +
+                    $"{SystemInfo.graphicsDeviceName} allows {SystemInfo.maxGraphicsBufferSize / 1048576.0:F0} MiB. Choose a smaller " +
+                    "grid size.");
             }
             resetGrid = new ResetMCGridPass(shaders);
             setDensityFactors = new SetMCGridDensityFactorsPass(shaders);
@@ -61,10 +64,8 @@ namespace SphFluid
         /// fit.</param>
         public void Record(CommandBuffer cmd, FluidSolver solver)
         {
-            if (cmd == null)
-                throw new ArgumentNullException(nameof(cmd));
-            if (solver == null)
-                throw new ArgumentNullException(nameof(solver), "A surface field needs a running solver.");
+            if (cmd == null) throw new ArgumentNullException(nameof(cmd));
+            if (solver == null) throw new ArgumentNullException(nameof(solver), "A surface field needs a running solver.");
             solver.RecordNeighbourSetup(cmd);
             resetGrid.Record(cmd, this);
             setDensityFactors.Record(cmd, this, solver);

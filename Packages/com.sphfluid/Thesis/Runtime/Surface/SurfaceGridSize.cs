@@ -32,8 +32,7 @@ namespace SphFluid
         public static int Cells(this SurfaceGridSize size)
         {
             Require.Known(size, nameof(size));
-            if (size != SurfaceGridSize.Automatic)
-                return (int)size;
+            if (size != SurfaceGridSize.Automatic) return (int)size;
             return (int)(FluidSupport.IsSoftwareDevice ? SurfaceGridSize.Cells64 : SurfaceGridSize.Cells128);
         }
 
@@ -44,6 +43,7 @@ namespace SphFluid
         /// <param name="domainSize">Edges of the domain [m], each greater than zero.</param>
         /// <returns>A grid whose outermost vertices lie on the domain's walls.</returns>
         /// <exception cref="System.ArgumentOutOfRangeException">An edge is not a positive number.</exception>
-        public static SurfaceGrid OverDomain(this SurfaceGridSize size, Vector3 domainSize) => new SurfaceGrid(-0.5f * domainSize, domainSize, size.Cells());
+        public static SurfaceGrid OverDomain(this SurfaceGridSize size, Vector3 domainSize) =>
+            new SurfaceGrid(-0.5f * domainSize, domainSize, size.Cells());
     }
 }

@@ -12,12 +12,12 @@ namespace SphFluid
     /// </summary>
     public sealed class SurfacePolygoniser : IDisposable
     {
-        readonly CountSurfaceVerticesPass countVertices;
-        readonly EmitSurfaceVerticesPass emitVertices;
-        readonly int vertexLimit;
-        readonly FluidBuffer tables;
-        GraphicsBuffer counter;
-        GraphicsBuffer vertices;
+        private readonly CountSurfaceVerticesPass countVertices;
+        private readonly EmitSurfaceVerticesPass emitVertices;
+        private readonly int vertexLimit;
+        private readonly FluidBuffer tables;
+        private GraphicsBuffer counter;
+        private GraphicsBuffer vertices;
 
         /// <summary>A polygoniser.</summary>
         /// <param name="shaders">Shader set with the surface mesh kernels.</param>
@@ -30,8 +30,10 @@ namespace SphFluid
         internal SurfacePolygoniser(FluidShaderSet shaders, int vertexLimit)
         {
             if (shaders == null)
+            {
                 throw new ArgumentNullException(nameof(shaders),
                     "A surface polygoniser needs a shader set: assign one in the fluid profile.");
+            }
             countVertices = new CountSurfaceVerticesPass(shaders);
             emitVertices = new EmitSurfaceVerticesPass(shaders);
             this.vertexLimit = vertexLimit;
@@ -56,15 +58,15 @@ namespace SphFluid
         /// holds.</exception>
         public SurfaceMesh Polygonise(SurfaceField field, float isoValue = 0.5f)
         {
-            if (field == null)
-                throw new ArgumentNullException(nameof(field));
+            if (field == null) throw new ArgumentNullException(nameof(field));
             if (!(isoValue > 0f) || float.IsInfinity(isoValue))
+            {
                 throw new ArgumentOutOfRangeException(nameof(isoValue),
                     $"The iso value is a density factor greater than 0, not {isoValue}.");
+            }
 
             uint count = Run(cmd => countVertices.Record(cmd, field, isoValue, tables, counter));
-            if (count == 0)
-                return new SurfaceMesh(Array.Empty<Vector3>(), Array.Empty<Vector3>(), Array.Empty<int>());
+            if (count == 0) return new SurfaceMesh(Array.Empty<Vector3>(), Array.Empty<Vector3>(), Array.Empty<int>());
             Reserve(count, field.Grid.Cells);
             uint emitted = Run(cmd => emitVertices.Record(cmd, field, isoValue, tables, counter, vertices,
                 VertexCapacity));
@@ -88,7 +90,7 @@ namespace SphFluid
         }
 
         // Runs a pass and returns what it counted.
-        uint Run(Action<CommandBuffer> record)
+        private uint Run(Action<CommandBuffer> record)
         {
             var total = new uint[] { 0 };
             counter.SetData(total);
@@ -101,7 +103,7 @@ namespace SphFluid
             return total[0];
         }
 
-        void Reserve(uint count, Vector3Int cells)
+        private void Reserve(uint count, Vector3Int cells)
         {
             if (count > vertexLimit)
             {
@@ -109,8 +111,7 @@ namespace SphFluid
                     $"The surface has {count / 3} triangles on a grid of {cells.x} x {cells.y} x {cells.z} cells; " +
                     $"a buffer of {SystemInfo.graphicsDeviceName} holds {vertexLimit / 3}. Choose a smaller grid size.");
             }
-            if (count <= VertexCapacity)
-                return;
+            if (count <= VertexCapacity) return;
             GpuBuffers.Dispose(ref vertices);
             vertices = GpuBuffers.Create("SurfaceVertices", Math.Min(count + count / 2L, vertexLimit),
                 EmittedVertex.Stride);
@@ -118,7 +119,7 @@ namespace SphFluid
 
         // Joins the vertices that lie on the same edge of the grid. The order of the cubes in the input does not
         // matter.
-        static SurfaceMesh Weld(EmittedVertex[] emitted, int count)
+        private static SurfaceMesh Weld(EmittedVertex[] emitted, int count)
         {
             int[] firsts = FirstVertexOfEachCube(emitted, count);
             var numbers = new Dictionary<uint, int>(count / 4 + 1);
@@ -146,14 +147,13 @@ namespace SphFluid
 
         // Each cube's vertices stand together in the order of its triangles; only the order of the cubes is left to
         // chance on the GPU.
-        static int[] FirstVertexOfEachCube(EmittedVertex[] emitted, int count)
+        private static int[] FirstVertexOfEachCube(EmittedVertex[] emitted, int count)
         {
             var cubes = new List<uint>();
             var firsts = new List<int>();
             for (int i = 0; i < count; i++)
             {
-                if (i > 0 && emitted[i].Cube == emitted[i - 1].Cube)
-                    continue;
+                if (i > 0 && emitted[i].Cube == emitted[i - 1].Cube) continue;
                 cubes.Add(emitted[i].Cube);
                 firsts.Add(i);
             }

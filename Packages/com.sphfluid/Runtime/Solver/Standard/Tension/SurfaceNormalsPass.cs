@@ -5,10 +5,10 @@ namespace SphFluid
     /// <summary>Normals of the liquid's surface at each particle.</summary>
     internal sealed class SurfaceNormalsPass : ComputePass
     {
-        static readonly int NormalFactor = Id("_NormalFactor");
-        static readonly int WallNormal = Id("_WallNormal");
+        private static readonly int NormalFactor = Id("_NormalFactor");
+        private static readonly int WallNormal = Id("_WallNormal");
 
-        readonly ComputeKernel kernel;
+        private readonly ComputeKernel kernel;
 
         public SurfaceNormalsPass(FluidShaderSet shaders)
             : base(shaders, "SurfaceNormals")
@@ -23,7 +23,8 @@ namespace SphFluid
             using (Sample(cmd))
             {
                 TensionBindings.Set(cmd, kernel, state);
-                kernel.SetFloat(cmd, NormalFactor, (float)(radius * settings.ParticleMass * WendlandKernel.SlopeFactor(radius) / settings.RestDensity));
+                kernel.SetFloat(cmd, NormalFactor,
+                    (float)(radius * settings.ParticleMass * WendlandKernel.SlopeFactor(radius) / settings.RestDensity));
                 kernel.SetFloat(cmd, WallNormal, (float)(0.5 * radius * CapillaryRules.WallShare(state.Own.ContactAngle)));
                 kernel.SetOut(cmd, state.ForceBuffers<TensionBuffers>().SurfaceNormals);
                 kernel.DispatchThreads(cmd, state.ParticleCount);

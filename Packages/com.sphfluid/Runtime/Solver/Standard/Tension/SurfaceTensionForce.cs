@@ -27,7 +27,8 @@ namespace SphFluid
             if (settings.SurfaceTension > 0f && input.SupportRatio < CapillaryRules.LeastRatio)
             {
                 throw new ArgumentException(FormattableString.Invariant(
-                    $"The Support Ratio is {input.SupportRatio:G3}; surface tension needs {CapillaryRules.LeastRatio} or more. Raise it, or set Surface Tension to 0."));
+                    $"The Support Ratio is {input.SupportRatio:G3}; surface tension needs {CapillaryRules.LeastRatio} or more. Raise ") +
+                    "it, or set Surface Tension to 0.");
             }
         }
 
@@ -43,7 +44,8 @@ namespace SphFluid
             FormattableString.Invariant($"surface tension, which acts in this liquid at a spacing of {1e3 * input.Spacing:G3} mm");
 
         public override double LeastSoundSpeed(in FluidRuleInput input, in StandardSettings settings) => Acts(settings)
-            ? CapillaryRules.LeastSoundSpeed(settings.SurfaceTension, input.RestDensity, input.Spacing, input.SupportRatio, input.MaxCompression)
+            ? CapillaryRules.LeastSoundSpeed(settings.SurfaceTension, input.RestDensity, input.Spacing, input.SupportRatio,
+                input.MaxCompression)
             : 0.0;
 
         public override double LargestStep(in FluidSolverSettings settings) =>
@@ -53,10 +55,10 @@ namespace SphFluid
 
         public override ForcePasses MakePasses(FluidShaderSet shaders) => new Passes(shaders);
 
-        sealed class Passes : ForcePasses
+        private sealed class Passes : ForcePasses
         {
-            readonly SurfaceNormalsPass normals;
-            readonly SurfaceTensionPass tension;
+            private readonly SurfaceNormalsPass normals;
+            private readonly SurfaceTensionPass tension;
 
             public Passes(FluidShaderSet shaders)
             {

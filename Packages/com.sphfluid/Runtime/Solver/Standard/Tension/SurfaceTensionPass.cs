@@ -5,12 +5,12 @@ namespace SphFluid
     /// <summary>Surface tension: velocities with which a step begins, changed by what depends on positions alone.</summary>
     internal sealed class SurfaceTensionPass : ComputePass
     {
-        static readonly int PairPull = Id("_PairPull");
-        static readonly int NormalPull = Id("_NormalPull");
-        static readonly int WallPull = Id("_WallPull");
-        static readonly int KickStep = Id("_KickStep");
+        private static readonly int PairPull = Id("_PairPull");
+        private static readonly int NormalPull = Id("_NormalPull");
+        private static readonly int WallPull = Id("_WallPull");
+        private static readonly int KickStep = Id("_KickStep");
 
-        readonly ComputeKernel kernel;
+        private readonly ComputeKernel kernel;
 
         public SurfaceTensionPass(FluidShaderSet shaders)
             : base(shaders, "SurfaceTension")
@@ -27,7 +27,8 @@ namespace SphFluid
             using (Sample(cmd))
             {
                 TensionBindings.Set(cmd, kernel, state);
-                kernel.SetFloat(cmd, PairPull, (float)(2.0 * cohesion * settings.ParticleMass * WendlandKernel.SlopeFactor(radius) / (density * density)));
+                kernel.SetFloat(cmd, PairPull,
+                    (float)(2.0 * cohesion * settings.ParticleMass * WendlandKernel.SlopeFactor(radius) / (density * density)));
                 kernel.SetFloat(cmd, NormalPull, (float)CapillaryRules.NormalPull(own.SurfaceTension, settings));
                 kernel.SetFloat(cmd, WallPull, (float)(CapillaryRules.WallShare(own.ContactAngle) * cohesion / density));
                 kernel.SetFloat(cmd, KickStep, MotionBindings.KickOf(step));

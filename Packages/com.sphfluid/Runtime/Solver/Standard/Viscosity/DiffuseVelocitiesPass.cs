@@ -2,15 +2,18 @@ using UnityEngine.Rendering;
 
 namespace SphFluid
 {
-    /// <summary>Solves for the velocities behind an implicit viscosity by a number of iterations that is known when they are recorded: nothing is read back.</summary>
+    /// <summary>
+    /// Solves for the velocities behind an implicit viscosity by a number of iterations that is known when they are recorded: nothing is
+    /// read back.
+    /// </summary>
     internal sealed class DiffuseVelocitiesPass : ComputePass
     {
-        static readonly int PairRate = Id("_PairRate");
-        static readonly int SpectrumSlot = Id("_SpectrumSlot");
-        static readonly int ZeroShare = Id("_ZeroShare");
-        static readonly int Iteration = Id("_Iteration");
+        private static readonly int PairRate = Id("_PairRate");
+        private static readonly int SpectrumSlot = Id("_SpectrumSlot");
+        private static readonly int ZeroShare = Id("_ZeroShare");
+        private static readonly int Iteration = Id("_Iteration");
 
-        readonly ComputeKernel begin, next;
+        private readonly ComputeKernel begin, next;
 
         public DiffuseVelocitiesPass(FluidShaderSet shaders)
             : base(shaders, "DiffuseVelocities")
@@ -47,7 +50,7 @@ namespace SphFluid
             }
         }
 
-        static void Bind(CommandBuffer cmd, ComputeKernel kernel, StandardState state, in FluidStep step, int iterations)
+        private static void Bind(CommandBuffer cmd, ComputeKernel kernel, StandardState state, in FluidStep step, int iterations)
         {
             CellBindings.SetSearch(cmd, kernel, state);
             MotionBindings.SetWalls(cmd, kernel, state, step);

@@ -2,10 +2,12 @@ using UnityEngine.Rendering;
 
 namespace SphFluid
 {
-    /// <summary>Walls, leapfrog and the count of the cells with velocities that are solved for, the last part of a step whose viscosity is implicit.</summary>
+    /// <summary>
+    /// Walls, leapfrog and the count of the cells with velocities that are solved for, the last part of a step whose viscosity is implicit.
+    /// </summary>
     internal sealed class DriftParticlesPass : ComputePass
     {
-        readonly ComputeKernel kernel;
+        private readonly ComputeKernel kernel;
 
         public DriftParticlesPass(FluidShaderSet shaders)
             : base(shaders, "DriftParticles")

@@ -3,8 +3,9 @@ using System;
 namespace SphFluid
 {
     /// <summary>
-    /// When the Standard method solves for its viscosity, (I + dt L) v = v*, instead of adding it: Shaders/Solver/Standard/Viscosity. L is the
-    /// same sum over neighbours and the same friction of walls, so both have one limit for short steps; the implicit one is stable for any.
+    /// When the Standard method solves for its viscosity, (I + dt L) v = v*, instead of adding it: Shaders/Solver/Standard/Viscosity. L is
+    /// the same sum over neighbours and the same friction of walls, so both have one limit for short steps; the implicit one is stable for
+    /// any.
     /// </summary>
     internal static class ImplicitViscosity
     {
@@ -12,13 +13,13 @@ namespace SphFluid
         public const int MostIterations = 64;
 
         // By how much an iteration's start, the velocities before the step, may still be seen in the solution.
-        const double Remains = 0.05;
+        private const double Remains = 0.05;
 
         // The bound of the spectrum over that of a lattice at rest: compression, and walls that take more than the liquid they replace.
-        const double Reserve = 1.3;
+        private const double Reserve = 1.3;
 
         // Explicit steps as long as half of what else allows are cheaper than a solution.
-        const double Threshold = 0.5;
+        private const double Threshold = 0.5;
 
         /// <summary>Whether a viscosity is to be implicit.</summary>
         /// <param name="explicitStep">The longest step with an explicit one [s].</param>
@@ -41,7 +42,8 @@ namespace SphFluid
         /// <param name="kick">How far the velocities go in the step [s].</param>
         public static int Iterations(in FluidSolverSettings settings, double kick)
         {
-            double rate = SpectralRate(settings.SupportRadius / (double)settings.Spacing, settings.SupportRadius, settings.Viscosity / settings.RestDensity);
+            double rate = SpectralRate(settings.SupportRadius / (double)settings.Spacing, settings.SupportRadius,
+                settings.Viscosity / settings.RestDensity);
             return Math.Min(MostIterations, Math.Max(2, (int)Math.Ceiling(Decay() * Math.Sqrt(1.0 + kick * rate))));
         }
 
@@ -53,10 +55,10 @@ namespace SphFluid
         }
 
         // K = ½ √(b/a) ln(2/ε), with a = 0.85.
-        static double Decay() => 0.5 * Math.Log(2.0 / Remains) / Math.Sqrt(0.85);
+        private static double Decay() => 0.5 * Math.Log(2.0 / Remains) / Math.Sqrt(0.85);
 
         // Gershgorin's bound of a lattice's L: twice the sum of its pairs' rates.
-        static double SpectralRate(double ratio, double radius, double kinematic) =>
+        private static double SpectralRate(double ratio, double radius, double kinematic) =>
             Reserve * 2.0 * kinematic * WendlandKernel.LatticeViscosity(ratio) / (radius * radius);
     }
 }

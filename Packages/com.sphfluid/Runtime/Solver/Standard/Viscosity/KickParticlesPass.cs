@@ -5,9 +5,9 @@ namespace SphFluid
     /// <summary>Velocities by all forces but viscosity, the first part of a step whose viscosity is implicit.</summary>
     internal sealed class KickParticlesPass : ComputePass
     {
-        static readonly int SpectrumSlot = Id("_SpectrumSlot");
+        private static readonly int SpectrumSlot = Id("_SpectrumSlot");
 
-        readonly ComputeKernel kernel;
+        private readonly ComputeKernel kernel;
 
         public KickParticlesPass(FluidShaderSet shaders)
             : base(shaders, "KickParticles")

@@ -53,7 +53,7 @@ namespace SphFluid.Tests
             }
         }
 
-        static float[,] Heights(int rows, int columns)
+        private static float[,] Heights(int rows, int columns)
         {
             var heights = new float[rows, columns];
             for (int z = 0; z < rows; z++)
@@ -61,7 +61,7 @@ namespace SphFluid.Tests
             return heights;
         }
 
-        static bool[,] Surface(int rows, int columns)
+        private static bool[,] Surface(int rows, int columns)
         {
             var surface = new bool[rows - 1, columns - 1];
             for (int z = 0; z + 1 < rows; z++)

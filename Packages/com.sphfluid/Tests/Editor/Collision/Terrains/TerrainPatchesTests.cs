@@ -7,9 +7,9 @@ namespace SphFluid.Tests
 {
     public sealed class TerrainPatchesTests
     {
-        ColliderRig rig;
-        TerrainData data;
-        TerrainCollider collider;
+        private ColliderRig rig;
+        private TerrainData data;
+        private TerrainCollider collider;
 
         [SetUp]
         public void SetUp()
@@ -92,7 +92,7 @@ namespace SphFluid.Tests
             Assert.That(message.ToString(), Does.Contain("'Ground'").And.Contain("Heightmap Resolution"));
         }
 
-        void Fill(float height)
+        private void Fill(float height)
         {
             var heights = new float[65, 65];
             for (int z = 0; z < 65; z++)

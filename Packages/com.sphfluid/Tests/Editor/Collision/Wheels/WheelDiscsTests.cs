@@ -11,13 +11,13 @@ namespace SphFluid.Tests
     /// <summary>Wheel Colliders as walls: found by a Fluid Collider or a script, where their wheels are, followed as they roll.</summary>
     public sealed class WheelDiscsTests
     {
-        const float Spacing = 0.05f;
+        private const float Spacing = 0.05f;
 
-        readonly List<WallSpec> walls = new List<WallSpec>();
-        GameObject car;
-        WheelCollider wheel;
-        FluidCollider settings;
-        CollisionScene scene;
+        private readonly List<WallSpec> walls = new List<WallSpec>();
+        private GameObject car;
+        private WheelCollider wheel;
+        private FluidCollider settings;
+        private CollisionScene scene;
 
         [SetUp]
         public void SetUp()
@@ -42,7 +42,7 @@ namespace SphFluid.Tests
             Object.DestroyImmediate(car);
         }
 
-        bool Gather(int layers = ~0)
+        private bool Gather(int layers = ~0)
         {
             walls.Clear();
             if (settings.isActiveAndEnabled) walls.Add(((IFluidPart<WallSpec>)settings).Spec);
@@ -57,7 +57,7 @@ namespace SphFluid.Tests
             });
         }
 
-        FluidObstacle Found() => scene.Solids.SingleOrDefault(s => s.Source == wheel);
+        private FluidObstacle Found() => scene.Solids.SingleOrDefault(s => s.Source == wheel);
 
         [TestCase(0f, 0.195f)]
         [TestCase(0.1f, 0.1f)]
@@ -70,7 +70,8 @@ namespace SphFluid.Tests
             Assert.That(Gather(), Is.True);
             TriangleMesh mesh = Found().Mesh;
             wheel.GetWorldPose(out Vector3 position, out Quaternion rotation);
-            Matrix4x4 toWheel = (DomainSpace.FromWorld(Vector3.zero, Quaternion.Euler(0f, 90f, 0f)) * Matrix4x4.TRS(position, rotation, Vector3.one)).inverse;
+            Matrix4x4 toWheel = (DomainSpace.FromWorld(Vector3.zero, Quaternion.Euler(0f, 90f, 0f)) *
+                Matrix4x4.TRS(position, rotation, Vector3.one)).inverse;
             Vector3[] corners = mesh.Vertices.Select(v => toWheel.MultiplyPoint3x4(v)).ToArray();
             float Radius(Vector3 p) => new Vector2(p.y, p.z).magnitude;
             Assert.That(corners.Max(c => Math.Abs(Math.Abs(c.x) - 0.5f * expected)), Is.LessThan(1e-5f));
@@ -85,7 +86,8 @@ namespace SphFluid.Tests
             Object.DestroyImmediate(car.GetComponent<Rigidbody>());
             wheel.center = new Vector3(0.1f, 0.2f, 0f);
             Gather();
-            Assert.That((Found().Mesh.Bounds.center - new Vector3(0f, 0.2f, 0.1f)).magnitude, Is.LessThan(0.005f), "in a domain that is turned by 90°");
+            Assert.That((Found().Mesh.Bounds.center - new Vector3(0f, 0.2f, 0.1f)).magnitude, Is.LessThan(0.005f),
+                "in a domain that is turned by 90°");
         }
 
         [Test]
@@ -174,7 +176,8 @@ namespace SphFluid.Tests
                     Assert.That(obstacles.Jumps, Is.Zero);
                     GpuTest.Run(cmd => solver.RecordNeighbourSetup(cmd));
                     FluidParticle[] liquid = GpuTest.Read<FluidParticle>(solver.Particles, solver.ParticleCount);
-                    bool Inside(Vector3 p) => Math.Abs(p.x - hub.x) < 0.0975f && new Vector2(p.y - hub.y, p.z - hub.z).magnitude < 0.3f - 0.1f * Spacing;
+                    bool Inside(Vector3 p) => Math.Abs(p.x - hub.x) < 0.0975f &&
+                        new Vector2(p.y - hub.y, p.z - hub.z).magnitude < 0.3f - 0.1f * Spacing;
                     Assert.That(liquid.Count(p => Inside(p.Position)), Is.Zero);
                     Assert.That(liquid.Average(p => p.Position.z - hub.z), Is.GreaterThan(Spacing));
                 }

@@ -7,9 +7,9 @@ namespace SphFluid.Tests
     /// <summary>What is picked for a simulation by made-up costs, what is said of it, and what is proposed.</summary>
     public sealed class MethodChooserTests
     {
-        SimulationRig rig;
-        MadeUpCosts costs;
-        FluidSimulation simulation;
+        private SimulationRig rig;
+        private MadeUpCosts costs;
+        private FluidSimulation simulation;
 
         [SetUp]
         public void SetUp()
@@ -63,7 +63,9 @@ namespace SphFluid.Tests
             Assert.That(choice.Pick.Substeps, Is.EqualTo(6));
             Assert.That(choice.FitsBudget);
             Assert.That(choice.Considered.Count, Is.EqualTo(3));
-            Assert.That(choice.Reason, Does.StartWith("Robust, 6 substeps a frame: 0.60 ms of the 0.65 ms allowed").And.Contain("Standard would take").And.Contain("Standard with 12 % compression would take"));
+            Assert.That(choice.Reason,
+                Does.StartWith("Robust, 6 substeps a frame: 0.60 ms of the 0.65 ms allowed").And.Contain("Standard would take").And
+                    .Contain("Standard with 12 % compression would take"));
         }
 
         [Test]
@@ -123,7 +125,9 @@ namespace SphFluid.Tests
             Assert.That(simulation.Spacing, Is.EqualTo(before));
             FluidMessage message = simulation.Validate().Single(m => m.Issue == FluidIssue.MethodChoice);
             Assert.That(message.Severity, Is.EqualTo(FluidSeverity.Warning));
-            Assert.That(message.ToString(), Does.Contain("more than the 1 ms allowed").And.Contain($"Set Particle Spacing to {choice.ProposedSpacing} m").And.Contain("Frame Budget of"));
+            Assert.That(message.ToString(),
+                Does.Contain("more than the 1 ms allowed").And.Contain($"Set Particle Spacing to {choice.ProposedSpacing} m").And
+                    .Contain("Frame Budget of"));
         }
 
         [Test]
@@ -136,12 +140,16 @@ namespace SphFluid.Tests
             // Costs at the proposed spacing are in proportion to the particles there.
             costs.Dispose();
             costs = new MadeUpCosts();
-            foreach (FluidMethod method in FluidMethods.All) costs.Set(method.Kind, 0.1 * choice.ProposedParticles / 64.0, particles: choice.ProposedParticles);
+            foreach (FluidMethod method in FluidMethods.All)
+            {
+                costs.Set(method.Kind, 0.1 * choice.ProposedParticles / 64.0, particles: choice.ProposedParticles);
+            }
             simulation.Spacing = choice.ProposedSpacing;
             FluidMethodChoice there = FluidSimulationChecks.PreviewChoice(simulation);
             Assert.That(there, Is.Not.Null);
             // Layers come and go whole, so the lattice may hold a few more particles than the proposal says.
-            Assert.That(there.Considered.Min(c => c.StepsAFrame * c.MillisecondsAStep), Is.LessThan(0.12 * there.Particles / (double)choice.ProposedParticles + 1e-9));
+            Assert.That(there.Considered.Min(c => c.StepsAFrame * c.MillisecondsAStep),
+                Is.LessThan(0.12 * there.Particles / (double)choice.ProposedParticles + 1e-9));
         }
 
         [Test]
@@ -217,7 +225,8 @@ namespace SphFluid.Tests
                 spec.Profile.Shaders = without;
                 Assert.That(MethodObstacles.Find(spec, FluidMethods.Get(FluidMethodKind.Standard)), Is.Null);
                 spec.Zones = new[] { default(ZoneSpec) };
-                Assert.That(MethodObstacles.Find(spec, FluidMethods.Get(FluidMethodKind.Thesis)), Is.EqualTo("has no force zones, which the simulation uses"));
+                Assert.That(MethodObstacles.Find(spec, FluidMethods.Get(FluidMethodKind.Thesis)),
+                    Is.EqualTo("has no force zones, which the simulation uses"));
             }
             finally
             {
@@ -229,15 +238,18 @@ namespace SphFluid.Tests
         public void AnEmptyLiquidIsNotTimed()
         {
             costs.Set(FluidMethodKind.Standard, 0.01);
-            FluidStart dry = new FluidStart(new System.Collections.Generic.List<FluidParticle>(), 0, LiquidExtent.Create(new LiquidShape[0], simulation.DomainSize), 0f);
-            FluidMethodChoice choice = MethodChooser.Choose(simulation.Spec, dry, false, (in FluidSolverSettings settings) => throw new System.InvalidOperationException("timed"));
+            FluidStart dry = new FluidStart(new System.Collections.Generic.List<FluidParticle>(), 0,
+                LiquidExtent.Create(new LiquidShape[0], simulation.DomainSize), 0f);
+            FluidMethodChoice choice = MethodChooser.Choose(simulation.Spec, dry, false,
+                (in FluidSolverSettings settings) => throw new System.InvalidOperationException("timed"));
             Assert.That(choice.IsMeasured, Is.False);
         }
 
         [Test]
         public void ADeviceThatCannotBeTimedIsEstimatedAndSaid()
         {
-            FluidStart start = new FluidStart(new System.Collections.Generic.List<FluidParticle>(), 1000, LiquidExtent.Create(new LiquidShape[0], simulation.DomainSize), 1f);
+            FluidStart start = new FluidStart(new System.Collections.Generic.List<FluidParticle>(), 1000,
+                LiquidExtent.Create(new LiquidShape[0], simulation.DomainSize), 1f);
             FluidMethodChoice choice = MethodChooser.Choose(simulation.Spec, start, false, (in FluidSolverSettings settings) => null);
             Assert.That(choice.Pick.CostSource, Is.EqualTo(FluidCostSource.Estimated));
             // 5 ns a pass, 3 passes, 1000 particles.
@@ -246,7 +258,7 @@ namespace SphFluid.Tests
             Assert.That(costs.Count, Is.Zero, "an estimate is not kept");
         }
 
-        FluidMethodChoice Choose(float budget)
+        private FluidMethodChoice Choose(float budget)
         {
             simulation.FrameBudget = budget;
             return FluidSimulationChecks.PreviewChoice(simulation);

@@ -8,18 +8,21 @@ namespace SphFluid.Tests
     public sealed class MethodObstaclesTests
     {
         // Robust fits, 6 substeps of 0.1 ms; Standard, at 1 ms a step, does not.
-        const float Budget = 0.65f;
+        private const float Budget = 0.65f;
 
-        SimulationRig rig;
-        MadeUpCosts costs;
-        FluidSimulation simulation;
+        private SimulationRig rig;
+        private MadeUpCosts costs;
+        private FluidSimulation simulation;
 
         [SetUp]
         public void SetUp()
         {
             rig = new SimulationRig(1f / 60f);
             costs = new MadeUpCosts();
-            foreach (string variant in new[] { "", "+tension", "+viscous", "+viscous+tension" }) costs.Set(FluidMethodKind.Standard, 1.0, variant: variant);
+            foreach (string variant in new[] { "", "+tension", "+viscous", "+viscous+tension" })
+            {
+                costs.Set(FluidMethodKind.Standard, 1.0, variant: variant);
+            }
             costs.Set(FluidMethodKind.Robust, 0.1);
             simulation = rig.Create();
             simulation.Method = FluidMethodKind.Automatic;
@@ -45,8 +48,12 @@ namespace SphFluid.Tests
             rig.Profile.SurfaceTension = (float)(rig.Profile.RestDensity * 9.81 * length * length);
             FluidMethodChoice choice = Choice();
             Assert.That(choice.Method, Is.EqualTo(acts ? FluidMethodKind.Standard : FluidMethodKind.Robust));
-            Assert.That(ObstacleOfRobust(choice), Is.EqualTo(acts ? "has no surface tension, which acts in this liquid at a spacing of 50 mm" : null));
-            if (acts) Assert.That(choice.Reason, Does.Contain("Robust has no surface tension, which acts in this liquid at a spacing of 50 mm."));
+            Assert.That(ObstacleOfRobust(choice),
+                Is.EqualTo(acts ? "has no surface tension, which acts in this liquid at a spacing of 50 mm" : null));
+            if (acts)
+            {
+                Assert.That(choice.Reason, Does.Contain("Robust has no surface tension, which acts in this liquid at a spacing of 50 mm."));
+            }
         }
 
         [Test]
@@ -112,7 +119,8 @@ namespace SphFluid.Tests
                 Assert.That(Choice(), Is.Null);
                 FluidMessage message = simulation.Validate().Single(m => m.Issue == FluidIssue.MethodChoice);
                 Assert.That(message.Severity, Is.EqualTo(FluidSeverity.Warning));
-                Assert.That(message.Text, Does.StartWith("No method has all that the simulation uses: it runs by Robust, without some of it.")
+                Assert.That(message.Text,
+                    Does.StartWith("No method has all that the simulation uses: it runs by Robust, without some of it.")
                     .And.Contain("Standard has shaders that the shader set lacks. Robust has no surface tension"));
                 Assert.That(message.Cure, Is.Not.Empty);
             }
@@ -129,16 +137,21 @@ namespace SphFluid.Tests
             (input.DomainSize, input.Spacing, input.LiquidHeight, input.LiquidDepth) = (Vector3.one, 0.02f, 0.1f, 0.1f);
             (input.SurfaceTension, input.KinematicViscosity) = (50f, 10f);
             foreach (FluidMethod method in FluidMethods.All)
-                Assert.That(method.AskedBy(input) & ~method.Features, Is.EqualTo(FluidMethodFeatures.None), $"{method.Kind} asks for what it lacks");
-            Assert.That(FluidMethods.Get(FluidMethodKind.Standard).AskedBy(input), Is.EqualTo(FluidMethodFeatures.SurfaceTension | FluidMethodFeatures.ImplicitViscosity));
+            {
+                Assert.That(method.AskedBy(input) & ~method.Features, Is.EqualTo(FluidMethodFeatures.None),
+                    $"{method.Kind} asks for what it lacks");
+            }
+            Assert.That(FluidMethods.Get(FluidMethodKind.Standard).AskedBy(input),
+                Is.EqualTo(FluidMethodFeatures.SurfaceTension | FluidMethodFeatures.ImplicitViscosity));
         }
 
-        static string ObstacleOfRobust(FluidMethodChoice choice) => choice.Considered.Single(c => c.Method == FluidMethodKind.Robust).Obstacle;
+        private static string ObstacleOfRobust(FluidMethodChoice choice) =>
+            choice.Considered.Single(c => c.Method == FluidMethodKind.Robust).Obstacle;
 
-        FluidMethodChoice Choice() => FluidSimulationChecks.PreviewChoice(simulation);
+        private FluidMethodChoice Choice() => FluidSimulationChecks.PreviewChoice(simulation);
 
         // The constants that the same liquid has by the method Standard.
-        FluidSolverSettings Standard()
+        private FluidSolverSettings Standard()
         {
             simulation.Method = FluidMethodKind.Standard;
             FluidSimulationChecks.Preview(simulation, out FluidSolverSettings? constants);

@@ -4,11 +4,14 @@ using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>The rule by made-up costs: the first that fits, else the first about as cheap as the cheapest; of those that fit a larger budget never picks one further down.</summary>
+    /// <summary>
+    /// The rule by made-up costs: the first that fits, else the first about as cheap as the cheapest; of those that fit a larger budget
+    /// never picks one further down.
+    /// </summary>
     public sealed class MethodRuleTests
     {
         // As the profile asks 10 ms, softer 6 ms, fixed steps 4 ms.
-        static readonly double[] Usual = { 10.0, 6.0, 4.0 };
+        private static readonly double[] Usual = { 10.0, 6.0, 4.0 };
 
         [TestCase(10.0, 0)]
         [TestCase(100.0, 0)]
@@ -18,7 +21,8 @@ namespace SphFluid.Tests
         [TestCase(4.0, 2)]
         [TestCase(3.99, 2)]
         [TestCase(0.01, 2)]
-        public void TheFirstThatFitsElseTheCheapest(double budget, int expected) => Assert.That(MethodRule.Pick(Of(Usual), budget), Is.EqualTo(expected));
+        public void TheFirstThatFitsElseTheCheapest(double budget, int expected) =>
+        Assert.That(MethodRule.Pick(Of(Usual), budget), Is.EqualTo(expected));
 
         [Test]
         public void TheCheapestNeedNotBeTheLast() => Assert.That(MethodRule.Pick(Of(10.0, 3.0, 5.0), 1.0), Is.EqualTo(1));
@@ -94,15 +98,20 @@ namespace SphFluid.Tests
         [Test]
         public void APresentPickThatDoesNotFitIsNoReasonToStay() => Assert.That(MethodRule.Pick(Of(10.0, 3.9, 5.0), 4.0, 2), Is.EqualTo(1));
 
-        static List<FluidMethodCandidate> Of(params double[] costs)
+        private static List<FluidMethodCandidate> Of(params double[] costs)
         {
             var candidates = new List<FluidMethodCandidate>();
             foreach (double cost in costs)
-                candidates.Add(new FluidMethodCandidate(new MethodOffer { StepsAFrame = 1.0, CostRatio = 1.0 }, cost, FluidCostSource.MeasuredInPlay, null));
+            {
+                candidates
+                    .Add(new FluidMethodCandidate(new MethodOffer { StepsAFrame = 1.0, CostRatio = 1.0 }, cost,
+                        FluidCostSource.MeasuredInPlay, null));
+            }
             return candidates;
         }
 
-        static FluidMethodCandidate Obstructed() =>
-            new FluidMethodCandidate(new MethodOffer { StepsAFrame = 1.0, CostRatio = 1.0 }, 1.0, FluidCostSource.MeasuredInPlay, "does not run on this device");
+        private static FluidMethodCandidate Obstructed() =>
+            new FluidMethodCandidate(new MethodOffer { StepsAFrame = 1.0, CostRatio = 1.0 }, 1.0, FluidCostSource.MeasuredInPlay,
+                "does not run on this device");
     }
 }

@@ -61,14 +61,16 @@ namespace SphFluid.Tests
             {
                 bool offers = method.Offers(Question(Input(0.04f, 5f))).Count > 0;
                 Assert.That(offers, Is.EqualTo(method.MayBePicked), $"{method.Kind}");
-                Assert.That(method.MayBePicked, Is.EqualTo(!method.Has(FluidMethodFeatures.PenaltyWalls)), $"{method.Kind}: those of the thesis are for comparison");
+                Assert.That(method.MayBePicked, Is.EqualTo(!method.Has(FluidMethodFeatures.PenaltyWalls)),
+                    $"{method.Kind}: those of the thesis are for comparison");
                 Assert.That(method.PassesAStep, Is.GreaterThanOrEqualTo(2.0));
             }
         }
 
-        static MethodQuestion Question(FluidRuleInput input) => new MethodQuestion { Input = input, FrameTime = 1.0 / 60.0, Affordable = double.NaN };
+        private static MethodQuestion Question(FluidRuleInput input) =>
+            new MethodQuestion { Input = input, FrameTime = 1.0 / 60.0, Affordable = double.NaN };
 
-        static FluidRuleInput Input(float compression, float ratio)
+        private static FluidRuleInput Input(float compression, float ratio)
         {
             FluidRuleInput input = FluidRuleInput.Water;
             (input.DomainSize, input.Spacing, input.LiquidHeight, input.LiquidDepth) = (Vector3.one, 0.02f, 0.4f, 0.4f);

@@ -6,10 +6,12 @@ using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>Steps are timed on the device: something is measured, with how many particles is said, and the liquid itself is not touched.</summary>
+    /// <summary>
+    /// Steps are timed on the device: something is measured, with how many particles is said, and the liquid itself is not touched.
+    /// </summary>
     public sealed class StepCalibrationTests
     {
-        FluidShaderSet shaders;
+        private FluidShaderSet shaders;
 
         [SetUp]
         public void SetUp()
@@ -44,7 +46,8 @@ namespace SphFluid.Tests
         public void NoParticlesAreNotTimed()
         {
             using (var collision = new CollisionScene())
-                Assert.That(StepCalibration.Measure(BodyRig.Water(Vector3.one, 0.05f, 0.3f), shaders, new List<FluidParticle>(), collision), Is.Null);
+                Assert.That(StepCalibration.Measure(BodyRig.Water(Vector3.one, 0.05f, 0.3f), shaders, new List<FluidParticle>(), collision),
+                    Is.Null);
         }
 
         [Test]
@@ -62,20 +65,23 @@ namespace SphFluid.Tests
             List<FluidParticle> cube = Lattice(27 * 27 * 27);
             IReadOnlyList<FluidParticle> part = StepCalibration.Middle(cube, 1000, 0.025f);
             Assert.That(part.Count, Is.EqualTo(11 * 11 * 11), "the first odd cube that holds as many");
-            Vector3 size = part.Aggregate(Vector3.zero, (most, p) => Vector3.Max(most, p.Position)) - part.Aggregate(Vector3.one, (least, p) => Vector3.Min(least, p.Position));
+            Vector3 size = part.Aggregate(Vector3.zero, (most, p) => Vector3.Max(most, p.Position)) -
+                part.Aggregate(Vector3.one, (least, p) => Vector3.Min(least, p.Position));
             Assert.That((size - 0.25f * Vector3.one).magnitude, Is.LessThan(1e-4f));
             Assert.That(StepCalibration.Middle(Lattice(1999), 1000, 0.05f).Count, Is.EqualTo(1999), "few more are all timed");
         }
 
         // A cube of particles, the first ones of it, about the origin of the whole cube.
-        static List<FluidParticle> Lattice(int count)
+        private static List<FluidParticle> Lattice(int count)
         {
             int side = Mathf.CeilToInt(Mathf.Pow(count, 1f / 3f) - 1e-4f);
             var particles = new List<FluidParticle>();
             for (int i = 0; i < count; i++)
             {
                 var cell = new Vector3(i % side, i / side % side, i / side / side);
-                particles.Add(new FluidParticle(0.05f * (cell - 0.5f * (side - 1) * Vector3.one) * (side > 18 ? 0.5f : 1f), Vector3.zero, (uint)i));
+                particles
+                    .Add(new FluidParticle(0.05f * (cell - 0.5f * (side - 1) * Vector3.one) * (side > 18 ? 0.5f : 1f),
+                        Vector3.zero, (uint)i));
             }
             return particles;
         }

@@ -8,10 +8,10 @@ namespace SphFluid.Tests
     /// <summary>Particles that are born into a running liquid, against a list of where each particle is.</summary>
     public sealed class BirthParticlesTests
     {
-        const float Spacing = 0.05f;
-        static readonly Vector3 Domain = new Vector3(1.2f, 1f, 0.9f);
+        private const float Spacing = 0.05f;
+        private static readonly Vector3 Domain = new Vector3(1.2f, 1f, 0.9f);
 
-        static FluidSolverSettings Settings(FluidAxes periodic = FluidAxes.None)
+        private static FluidSolverSettings Settings(FluidAxes periodic = FluidAxes.None)
         {
             FluidSolverSettings settings = BodyRig.Water(Domain, Spacing, 0.4f);
             settings.Gravity = Vector3.zero;
@@ -20,18 +20,19 @@ namespace SphFluid.Tests
         }
 
         // Places on a lattice, so that none is in another's way.
-        static List<Vector3> Sites(int count) =>
+        private static List<Vector3> Sites(int count) =>
             ParticleSets.Lattice(new Vector3Int(11, 11, 11), Spacing, 0f, 1).Select(p => p.Position).Take(count).ToList();
 
-        static void Add(FluidSolver solver, IEnumerable<Vector3> places, Vector3 velocity, int source = SourceCounts.Added)
+        private static void Add(FluidSolver solver, IEnumerable<Vector3> places, Vector3 velocity, int source = SourceCounts.Added)
         {
             foreach (Vector3 place in places) solver.Exchange.Births.Add(place, velocity, solver.SimulatedTime, source);
         }
 
-        static FluidParticle[] Live(StandardRig rig) => rig.Particles().Where(p => !p.IsRemoved).ToArray();
+        private static FluidParticle[] Live(StandardRig rig) => rig.Particles().Where(p => !p.IsRemoved).ToArray();
 
         [Test]
-        public void AnEmptyLiquidFills([Values(1, 63, 64, 65, 257, 1009)] int count, [Values(FluidAxes.None, FluidAxes.X)] FluidAxes periodic)
+        public void AnEmptyLiquidFills([Values(1, 63, 64, 65, 257, 1009)] int count,
+            [Values(FluidAxes.None, FluidAxes.X)] FluidAxes periodic)
         {
             FluidSolverSettings settings = Settings(periodic);
             using (var rig = new StandardRig(settings, new FluidParticle[0]))
@@ -47,9 +48,14 @@ namespace SphFluid.Tests
                 Assert.That(rig.Solver.LiveCount, Is.EqualTo(count));
                 Assert.That(live.Select(p => p.Id).OrderBy(id => id), Is.EqualTo(Enumerable.Range(0, count).Select(i => (uint)i)));
                 foreach (FluidParticle particle in live)
+                {
                     Assert.That((particle.Position - sites[(int)particle.Id]).magnitude, Is.LessThan(1e-6f), $"place of {particle.Id}");
+                }
                 for (int i = 0; i < live.Length; i += 37)
-                    Assert.That(rig.Densities()[i], Is.EqualTo(StandardReference.Density(live, i, settings)).Within(2e-3).Percent, $"density {i}");
+                {
+                    Assert.That(rig.Densities()[i], Is.EqualTo(StandardReference.Density(live, i, settings)).Within(2e-3).Percent,
+                        $"density {i}");
+                }
                 rig.Steps(20);
                 Assert.That(Live(rig).Length, Is.EqualTo(count), "nobody is lost");
                 Assert.That(rig.Solver.ReadCountersNow().NonFinite, Is.Zero);
@@ -58,7 +64,8 @@ namespace SphFluid.Tests
 
         // Against brute force over the particles where the step leaves them.
         [Test]
-        public void WhoeverHasNoPlaceIsNotBornAndIsCounted([Values(1, 7)] int seed, [Values(FluidAxes.None, FluidAxes.Z)] FluidAxes periodic)
+        public void WhoeverHasNoPlaceIsNotBornAndIsCounted([Values(1, 7)] int seed,
+            [Values(FluidAxes.None, FluidAxes.Z)] FluidAxes periodic)
         {
             FluidSolverSettings settings = Settings(periodic);
             FluidParticle[] start = ParticleSets.Lattice(new Vector3Int(8, 8, 8), Spacing, 0f, 1);
@@ -67,7 +74,10 @@ namespace SphFluid.Tests
                 rig.Steps(3);
                 FluidParticle[] before = Live(rig);
                 List<Vector3> places = ParticleSets.Random(400, 1.1f * Domain, 0f, seed).Select(p => p.Position).ToList();
-                foreach (Vector3 place in places) rig.Solver.Exchange.Births.Add(place, Vector3.zero, rig.Solver.SimulatedTime, 2 + places.IndexOf(place) % 200);
+                foreach (Vector3 place in places)
+                {
+                    rig.Solver.Exchange.Births.Add(place, Vector3.zero, rig.Solver.SimulatedTime, 2 + places.IndexOf(place) % 200);
+                }
                 rig.Steps(1);
                 FluidParticle[] after = Live(rig);
                 FluidCounters counters = rig.Solver.ReadCountersNow();
@@ -88,7 +98,7 @@ namespace SphFluid.Tests
             }
         }
 
-        static float Apart(Vector3 a, Vector3 b, in FluidSolverSettings settings)
+        private static float Apart(Vector3 a, Vector3 b, in FluidSolverSettings settings)
         {
             Vector3 d = a - b;
             for (int axis = 0; axis < 3; axis++)
@@ -96,7 +106,7 @@ namespace SphFluid.Tests
             return d.magnitude;
         }
 
-        static bool IsInside(Vector3 p, in FluidSolverSettings settings)
+        private static bool IsInside(Vector3 p, in FluidSolverSettings settings)
         {
             for (int axis = 0; axis < 3; axis++)
                 if (!(settings.PeriodLength[axis] > 0f) && Mathf.Abs(p[axis]) > 0.5f * Domain[axis]) return false;
@@ -112,18 +122,23 @@ namespace SphFluid.Tests
             float Before(int i) => i % 5 == 0 ? -1f : i % 5 == 1 ? 0f : i % 5 == 2 ? 0.3f : 1000f;
             int slots = count + births + blocked;
             using (var rig = new StandardStateRig(settings, slots))
-            using (GraphicsBuffer born = GpuBuffers.Create("Births", births + blocked, ParticleBirth.Stride), counts = GpuBuffers.Create("Counts", 3, sizeof(uint)))
+            using (GraphicsBuffer born = GpuBuffers.Create("Births", births + blocked, ParticleBirth.Stride),
+                counts = GpuBuffers.Create("Counts", 3, sizeof(uint)))
             {
                 FluidParticle[] all = ParticleSets.Random(slots, 0.9f * Domain, 0f, 3);
                 for (int i = count; i < all.Length; i++) all[i].Removed = 1f;
                 Vector3[] at = rig.FillSorted(all).Take(count).Select(p => p.Position).ToArray();
                 StandardStateRig.Fill(rig.State.Buffers.NewPositions, at.Select((p, i) => StandardStateRig.WithW(p, Before(i))).ToArray());
                 Vector3[] places = ParticleSets.Random(2000, 0.9f * Domain, 0f, 4).Select(p => p.Position)
-                    .Where(p => at.Min(other => Apart(p, other, settings)) / Spacing is float nearest && nearest > 1f && nearest < 1.5f).Take(births).ToArray();
-                IEnumerable<Vector3> inLiquid = Enumerable.Range(0, count).Where(i => Before(i) >= 0f).Select(i => at[i] + 0.2f * Spacing * Vector3.up).Take(blocked);
-                born.SetData(places.Concat(inLiquid).Select((p, i) => new ParticleBirth { Position = p, Id = (uint)(count + i) }).ToArray());
+                    .Where(p => at.Min(other => Apart(p, other, settings)) / Spacing is float nearest && nearest > 1f && nearest < 1.5f)
+                    .Take(births).ToArray();
+                IEnumerable<Vector3> inLiquid = Enumerable.Range(0, count).Where(i => Before(i) >= 0f)
+                    .Select(i => at[i] + 0.2f * Spacing * Vector3.up).Take(blocked);
+                born.SetData(places.Concat(inLiquid).Select((p, i) => new ParticleBirth { Position = p, Id = (uint)(count + i) })
+                    .ToArray());
                 counts.SetData(new uint[3]);
-                GpuTest.Run(cmd => new BirthParticlesPass(rig.Shaders).Record(cmd, rig.State, new BirthBatch(born, counts, births + blocked, slots, false)));
+                GpuTest.Run(cmd => new BirthParticlesPass(rig.Shaders).Record(cmd, rig.State,
+                    new BirthBatch(born, counts, births + blocked, slots, false)));
                 Assert.That(GpuTest.Read<uint>(counts, 3), Is.EqualTo(new[] { (uint)births, (uint)blocked, 0u }));
                 Vector4[] after = GpuTest.Read<Vector4>(rig.State.Buffers.NewPositions, count);
                 int forgot = 0;
@@ -132,7 +147,8 @@ namespace SphFluid.Tests
                     float nearest = places.Min(p => Apart(p, at[i], settings));
                     if (Mathf.Abs(nearest - settings.SupportRadius) < 1e-5f) continue;
                     bool forgets = nearest < settings.SupportRadius && Before(i) > 0f;
-                    Assert.That(after[i], Is.EqualTo(StandardStateRig.WithW(at[i], forgets ? 0f : Before(i))), $"particle {i}, {nearest} m from a birth");
+                    Assert.That(after[i], Is.EqualTo(StandardStateRig.WithW(at[i], forgets ? 0f : Before(i))),
+                        $"particle {i}, {nearest} m from a birth");
                     if (forgets) forgot++;
                 }
                 Assert.That(forgot, Is.Positive.And.LessThan(count / 2));

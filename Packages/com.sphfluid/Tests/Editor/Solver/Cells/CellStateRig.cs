@@ -116,7 +116,9 @@ namespace SphFluid.Tests
             }
         }
 
-        /// <summary>Asserts that behind the counts of the cells, and of what left, are their sums over 2,048 cells each, in 16 parts.</summary>
+        /// <summary>
+        /// Asserts that behind the counts of the cells, and of what left, are their sums over 2,048 cells each, in 16 parts.
+        /// </summary>
         public static void AssertSums(CellState state, uint[] counts)
         {
             uint[] parts = GpuTest.Read<uint>(state.Buffers.CellCount, state.Buffers.CellCount.Count).Skip(counts.Length).ToArray();
@@ -141,7 +143,9 @@ namespace SphFluid.Tests
             State.Buffers.PositionTerms.SetData(places.Zip(terms, (p, t) => WithW(p, t.y)).ToArray());
         }
 
-        /// <summary>Lists neighbours: those within R, or nobody, where each has more neighbours than the list holds, and searches.</summary>
+        /// <summary>
+        /// Lists neighbours: those within R, or nobody, where each has more neighbours than the list holds, and searches.
+        /// </summary>
         public void FillList(FluidParticle[] particles, bool listed)
         {
             FluidSolverSettings settings = State.Settings;
@@ -161,7 +165,9 @@ namespace SphFluid.Tests
 
                 // After an odd number of neighbours stands the particle itself.
                 if (listed && counts[i] % 2u == 1u && counts[i] < length)
+                {
                     entries[(i / 32 * length + (int)counts[i]) * 32 + i % 32] = (uint)i;
+                }
             }
 
             State.List.Counts.SetData(counts);
@@ -173,7 +179,8 @@ namespace SphFluid.Tests
         {
             int count = State.ParticleCount;
             return GpuTest.Read<float>(State.Buffers.Densities, count)
-                .Zip(GpuTest.Read<Vector4>(State.Buffers.PositionTerms, count), (density, place) => new Vector2(density, place.w)).ToArray();
+                .Zip(GpuTest.Read<Vector4>(State.Buffers.PositionTerms, count), (density, place) => new Vector2(density, place.w))
+                .ToArray();
         }
 
         /// <summary>Empties the list of contacts, as the density pass does before each step.</summary>
@@ -203,7 +210,7 @@ namespace SphFluid.Tests
             UnityEngine.Object.DestroyImmediate(Shaders);
         }
 
-        static bool IsOnAFace(in CellRows cells, Vector3 position)
+        private static bool IsOnAFace(in CellRows cells, Vector3 position)
         {
             for (int axis = 0; axis < 3; axis++)
             {

@@ -8,17 +8,17 @@ namespace SphFluid.Tests
     /// <summary>Liquid that leaves by drains, or to make room for new liquid, against a list of where each particle was.</summary>
     public sealed class DrainParticlesTests
     {
-        const float Spacing = 0.05f;
-        static readonly Vector3 Domain = new Vector3(1f, 0.8f, 0.9f);
+        private const float Spacing = 0.05f;
+        private static readonly Vector3 Domain = new Vector3(1f, 0.8f, 0.9f);
 
-        static FluidSolverSettings Settings()
+        private static FluidSolverSettings Settings()
         {
             FluidSolverSettings settings = BodyRig.Water(Domain, Spacing, 0.4f);
             settings.Gravity = Vector3.zero;
             return settings;
         }
 
-        static FluidParticle[] Live(StandardRig rig) => rig.Particles().Where(p => !p.IsRemoved).ToArray();
+        private static FluidParticle[] Live(StandardRig rig) => rig.Particles().Where(p => !p.IsRemoved).ToArray();
 
         [Test]
         public void WhoIsInADrainLeavesAndIsCounted([Values(1, 64, 257, 601)] int count, [Values("box", "sphere", "capsule")] string shape)
@@ -45,7 +45,7 @@ namespace SphFluid.Tests
             }
         }
 
-        static bool Holds(string shape, Vector3 u)
+        private static bool Holds(string shape, Vector3 u)
         {
             if (shape == "box") return Mathf.Abs(u.x) < 1f && Mathf.Abs(u.y) < 1f && Mathf.Abs(u.z) < 1f;
             if (shape == "capsule") u.y -= Mathf.Clamp(u.y, -0.8f, 0.8f);
@@ -71,7 +71,10 @@ namespace SphFluid.Tests
                 exchange.MostParticles = start.Length + 10;
                 exchange.Recycles = true;
                 var places = ParticleSets.Lattice(new Vector3Int(19, 1, 17), Spacing, 0f, 1).Take(births);
-                foreach (FluidParticle place in places) exchange.Births.Add(place.Position + 0.3f * Vector3.up, Vector3.zero, 0.0, SourceCounts.Added);
+                foreach (FluidParticle place in places)
+                {
+                    exchange.Births.Add(place.Position + 0.3f * Vector3.up, Vector3.zero, 0.0, SourceCounts.Added);
+                }
                 rig.Steps(1);
                 int gone = System.Math.Max(0, births - 10);
                 IEnumerable<uint> expected = Enumerable.Range(gone, start.Length + births - gone).Select(i => unchecked(firstId + (uint)i));
@@ -108,13 +111,14 @@ namespace SphFluid.Tests
             }
         }
 
-        static void Step(StandardRig rig, float length) => GpuTest.Run(cmd =>
+        private static void Step(StandardRig rig, float length) => GpuTest.Run(cmd =>
         {
             rig.Solver.RecordSteps(cmd, 1, length);
             rig.Solver.RecordNeighbourSetup(cmd);
         });
 
-        static IEnumerable<int> Offsets(StandardRig rig, uint firstId) => Live(rig).Select(p => (int)unchecked(p.Id - firstId)).OrderBy(i => i);
+        private static IEnumerable<int> Offsets(StandardRig rig, uint firstId) =>
+            Live(rig).Select(p => (int)unchecked(p.Id - firstId)).OrderBy(i => i);
 
         [Test]
         public void AFountainKeepsItsNumberAndTwoRunsAreEqual()
@@ -130,11 +134,18 @@ namespace SphFluid.Tests
                     exchange.MostParticles = 200;
                     exchange.Recycles = true;
                     Assert.That(exchange.Counts.TryOpen(out int drain));
-                    exchange.SetDrains(new[] { (DrainZone.Box(Matrix4x4.TRS(new Vector3(0.4f, -0.35f, 0f), Quaternion.identity, new Vector3(0.1f, 0.1f, 0.4f))), drain) });
+                    exchange
+                        .SetDrains(
+                            new[]
+                            { (DrainZone.Box(Matrix4x4.TRS(new Vector3(0.4f, -0.35f, 0f), Quaternion.identity,
+                                new Vector3(0.1f, 0.1f, 0.4f))), drain) });
                     for (int frame = 0; frame < 60; frame++)
                     {
                         foreach (FluidParticle place in ParticleSets.Lattice(new Vector3Int(3, 1, 3), Spacing, 0f, 1))
-                            exchange.Births.Add(place.Position + 0.3f * Vector3.up, new Vector3(1f, -2f, 0f), rig.Solver.SimulatedTime, SourceCounts.Added);
+                        {
+                            exchange.Births.Add(place.Position + 0.3f * Vector3.up, new Vector3(1f, -2f, 0f), rig.Solver.SimulatedTime,
+                                SourceCounts.Added);
+                        }
                         rig.Solver.FlowSpeed = 2f;
                         rig.Steps(12);
                         if (frame % 7 == 0) rig.Solver.ReadCountersNow(); // at times the CPU knows more
@@ -146,7 +157,8 @@ namespace SphFluid.Tests
                     Assert.That(rig.Solver.Capacity, Is.LessThan(600), "buffers do not grow for ever");
                     exchange.Counts.ReadNow();
                     Assert.That(exchange.Counts.Passed(drain), Is.GreaterThan(0));
-                    Assert.That(exchange.Counts.Passed(drain) + exchange.Counts.Passed(SourceCounts.Recycled), Is.EqualTo(counters.Removed));
+                    Assert.That(exchange.Counts.Passed(drain) + exchange.Counts.Passed(SourceCounts.Recycled),
+                        Is.EqualTo(counters.Removed));
                 }
             }
             Assert.That(ends[0], Is.EqualTo(ends[1]), "to the last bit");

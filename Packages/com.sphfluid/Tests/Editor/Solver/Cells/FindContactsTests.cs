@@ -13,13 +13,13 @@ namespace SphFluid.Tests
     /// </summary>
     public sealed class FindContactsTests
     {
-        const float Carried = 1000f; // what a method takes along
-        const float Spacing = 0.01f;
-        const float Rest = 0.1f * Spacing;
-        const float Longest = 8f * Spacing;
-        const int Shortened = 3; // COUNTER_SHORTENED
+        private const float Carried = 1000f; // what a method takes along
+        private const float Spacing = 0.01f;
+        private const float Rest = 0.1f * Spacing;
+        private const float Longest = 8f * Spacing;
+        private const int Shortened = 3; // COUNTER_SHORTENED
 
-        FluidShaderSet shaders;
+        private FluidShaderSet shaders;
 
         [SetUp]
         public void SetUp() => shaders = TestShaders.CreateSet();
@@ -49,12 +49,10 @@ namespace SphFluid.Tests
                     bool isClear = !isNear && PassesAll(from[i].Position, to[i], corners);
                     near += isNear ? 1 : 0;
                     clear += isClear ? 1 : 0;
-                    if (isNear || isClear)
-                        Assert.That(listed.Contains(i), Is.EqualTo(isNear), $"whether {i} is listed");
+                    if (isNear || isClear) Assert.That(listed.Contains(i), Is.EqualTo(isNear), $"whether {i} is listed");
                 }
 
-                if (count > 1)
-                    Assert.That(Math.Min(near, clear), Is.GreaterThan(count / 10), $"{near} near, {clear} clear");
+                if (count > 1) Assert.That(Math.Min(near, clear), Is.GreaterThan(count / 10), $"{near} near, {clear} clear");
                 Vector4[] places = GpuTest.Read<Vector4>(rig.State.Buffers.NewPositions, count);
                 Assert.That(places.Select(p => (Vector3)p), Is.EqualTo(to), "places stay");
                 StandardStateRig.AssertCounted(rig.State, places, Enumerable.Range(0, count).Except(listed).ToArray());
@@ -81,7 +79,9 @@ namespace SphFluid.Tests
                 Assert.That(listed, Is.Empty);
                 Assert.That(places.Select(p => p.w), Is.All.EqualTo(Carried));
                 for (int i = 0; i < count; i++)
+                {
                     Assert.That(((Vector3)places[i] - End(i, 1f)).magnitude, Is.LessThan(1e-6f), $"particle {i}");
+                }
                 Assert.That(rig.Counters()[Shortened], Is.EqualTo((uint)(count + 1) / 2u));
                 StandardStateRig.AssertCounted(rig.State, places, Enumerable.Range(0, count).ToArray());
             }
@@ -127,8 +127,8 @@ namespace SphFluid.Tests
             }
         }
 
-        // What GatherWalls said of the distance is trusted, so a triangle across the path is found only where the gap is used up: by how far
-        // the particle is from where that was said, here a displacement back, at both ends of its step.
+        // What GatherWalls said of the distance is trusted, so a triangle across the path is found only where the gap is used up: by how
+        // far the particle is from where that was said, here a displacement back, at both ends of its step.
         [TestCase(0.5f, 0f)]
         [TestCase(1.05f, 0f)]
         [TestCase(1.3f, 0f)]
@@ -147,7 +147,8 @@ namespace SphFluid.Tests
                 float gone = Mathf.Max(Mathf.Abs(backOverDisplacement), Mathf.Abs(1f + backOverDisplacement)) * displacement;
                 float gap = gapOverDisplacement * displacement;
                 bool free = gap > gone + 1.02f * Rest;
-                Assert.That(Find(rig, new[] { displacement * Vector3.up }, gap, backOverDisplacement * displacement * Vector3.down).Length, Is.EqualTo(free ? 0 : 1));
+                Assert.That(Find(rig, new[] { displacement * Vector3.up }, gap, backOverDisplacement * displacement * Vector3.down).Length,
+                    Is.EqualTo(free ? 0 : 1));
             }
         }
 
@@ -169,18 +170,18 @@ namespace SphFluid.Tests
             }
         }
 
-        static List<Vector3> AcrossTriangle => new List<Vector3>
+        private static List<Vector3> AcrossTriangle => new List<Vector3>
         {
             new Vector3(-0.1f, 0.2f * Spacing, -0.1f), new Vector3(0.1f, 0.2f * Spacing, -0.1f), new Vector3(0f, 0.2f * Spacing, 0.2f),
         };
 
-        static List<Vector3> FarTriangle => new List<Vector3>
+        private static List<Vector3> FarTriangle => new List<Vector3>
         {
             new Vector3(0f, -0.9f, 0f), new Vector3(0.01f, -0.9f, 0f), new Vector3(0f, -0.9f, 0.01f),
         };
 
         // Runs the pass and returns the list, its arguments checked. gapAt: from where nothing is nearer than the gap.
-        int[] Find(StandardStateRig rig, Vector3[] to, float gap = 0f, Vector3 gapAt = default)
+        private int[] Find(StandardStateRig rig, Vector3[] to, float gap = 0f, Vector3 gapAt = default)
         {
             StandardState state = rig.State;
             state.RequireWalls();
@@ -198,7 +199,7 @@ namespace SphFluid.Tests
             return list;
         }
 
-        static CollisionBodies Bodies(in FluidSolverSettings settings, List<Vector3> corners)
+        private static CollisionBodies Bodies(in FluidSolverSettings settings, List<Vector3> corners)
         {
             var bodies = new CollisionBodies(settings);
             using (var colliders = new ColliderRig { DomainSize = settings.DomainSize, Spacing = settings.Spacing })
@@ -218,7 +219,7 @@ namespace SphFluid.Tests
         }
 
         // Every second is shot at a triangle, the others go anywhere.
-        static FluidParticle[] Starts(
+        private static FluidParticle[] Starts(
             List<Vector3> corners, int count, System.Random random, out Dictionary<uint, Vector3> ends)
         {
             ends = new Dictionary<uint, Vector3>();
@@ -240,7 +241,7 @@ namespace SphFluid.Tests
         }
 
         // Whether plane or box keeps each triangle a hundredth more than the contact distance off.
-        static bool PassesAll(Vector3 from, Vector3 to, List<Vector3> corners)
+        private static bool PassesAll(Vector3 from, Vector3 to, List<Vector3> corners)
         {
             const double margin = 1.01 * Rest;
             for (int t = 0; t < corners.Count; t += 3)
@@ -257,7 +258,7 @@ namespace SphFluid.Tests
             return true;
         }
 
-        static bool IsBoxApart(Vector3 from, Vector3 to, List<Vector3> corners, int t, double margin)
+        private static bool IsBoxApart(Vector3 from, Vector3 to, List<Vector3> corners, int t, double margin)
         {
             for (int axis = 0; axis < 3; axis++)
             {
@@ -270,7 +271,7 @@ namespace SphFluid.Tests
         }
 
         // Whether a displacement comes nearer to a triangle: an end to its face, or a point of it to an edge.
-        static bool IsNearer(Vector3 from, Vector3 to, List<Vector3> corners, double distance)
+        private static bool IsNearer(Vector3 from, Vector3 to, List<Vector3> corners, double distance)
         {
             for (int t = 0; t < corners.Count; t += 3)
             {
@@ -286,7 +287,7 @@ namespace SphFluid.Tests
         }
 
         // Of two segments: the distance to the second is convex along the first.
-        static double Between(Double3 p, Double3 q, Double3 a, Double3 b)
+        private static double Between(Double3 p, Double3 q, Double3 a, Double3 b)
         {
             Double3 edge = b - a;
             double squared = Double3.Dot(edge, edge);

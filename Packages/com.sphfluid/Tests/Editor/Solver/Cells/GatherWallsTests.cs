@@ -10,30 +10,35 @@ namespace SphFluid.Tests
     /// <summary>GatherWalls: the walls that particles feel of triangles, against closed forms of planes and boxes.</summary>
     public sealed class GatherWallsTests
     {
-        const float Spacing = 0.05f;
+        private const float Spacing = 0.05f;
 
-        static List<Vector3> Box(Vector3 size, int cuts)
+        private static List<Vector3> Box(Vector3 size, int cuts)
         {
             var corners = new List<Vector3>();
             for (int axis = 0; axis < 3; axis++)
                 foreach (float side in new[] { -0.5f, 0.5f })
+                {
                     Sheet(corners, p => Vector3.Scale(size, Turn(new Vector3(side, p.x - 0.5f, p.y - 0.5f), axis)), cuts, side < 0f);
+                }
             return corners;
         }
 
-        static Vector3 Turn(Vector3 v, int axis) => axis == 0 ? v : axis == 1 ? new Vector3(v.z, v.x, v.y) : new Vector3(v.y, v.z, v.x);
+        private static Vector3 Turn(Vector3 v, int axis) => axis == 0 ? v : axis == 1 ? new Vector3(v.z, v.x, v.y)
+            : new Vector3(v.y, v.z, v.x);
 
         internal static void Sheet(List<Vector3> corners, Func<Vector2, Vector3> at, int cuts, bool flip)
         {
             for (int y = 0; y < cuts; y++)
                 for (int x = 0; x < cuts; x++)
                 {
-                    Vector3 a = at(new Vector2(x, y) / cuts), b = at(new Vector2(x + 1, y) / cuts), c = at(new Vector2(x, y + 1) / cuts), d = at(new Vector2(x + 1, y + 1) / cuts);
-                    corners.AddRange(flip != ((x + y) % 3 == 0) ? new[] { a, b, d, a, d, c } : new[] { a, c, b, b, c, d }); // any orientation serves
+                    Vector3 a = at(new Vector2(x, y) / cuts), b = at(new Vector2(x + 1, y) / cuts), c = at(new Vector2(x, y + 1) / cuts),
+                        d = at(new Vector2(x + 1, y + 1) / cuts);
+                    // any orientation serves
+                    corners.AddRange(flip != ((x + y) % 3 == 0) ? new[] { a, b, d, a, d, c } : new[] { a, c, b, b, c, d });
                 }
         }
 
-        static StoredWall[] Gather(BodyRig rig, Vector3[] points)
+        private static StoredWall[] Gather(BodyRig rig, Vector3[] points)
         {
             rig.Start(points.Select((p, i) => new FluidParticle(p, Vector3.zero, (uint)i)).ToArray());
             rig.Setup();
@@ -44,7 +49,7 @@ namespace SphFluid.Tests
         }
 
         // The six faces of a box as its inside sees them.
-        static Double3[] Inside(Vector3 size)
+        private static Double3[] Inside(Vector3 size)
         {
             var corners = new List<Double3>();
             for (int axis = 0; axis < 3; axis++)
@@ -52,18 +57,21 @@ namespace SphFluid.Tests
                 {
                     Double3 At(float u, float v) => Vector3.Scale(size, Turn(new Vector3(side, u, v), axis));
                     Double3 a = At(-0.5f, -0.5f), b = At(0.5f, -0.5f), c = At(0.5f, 0.5f), d = At(-0.5f, 0.5f);
-                    corners.AddRange(Double3.Dot(Double3.Cross(b - a, c - a), -a) > 0.0 ? new[] { a, b, c, a, c, d } : new[] { a, c, b, a, d, c });
+                    corners.AddRange(Double3.Dot(Double3.Cross(b - a, c - a), -a) > 0.0 ? new[] { a, b, c, a, c, d }
+                        : new[] { a, c, b, a, d, c });
                 }
             return corners.ToArray();
         }
 
-        static double Share(Vector3 point, Double3[] corners, in FluidSolverSettings settings) =>
+        private static double Share(Vector3 point, Double3[] corners, in FluidSolverSettings settings) =>
             ShadowReference.Share(point, corners, settings.SupportRadius, settings.Spacing);
 
-        internal static Vector3[] Points(int count, Vector3 size, int seed) => ParticleSets.Random(count, size, 0f, seed).Select(p => p.Position).ToArray();
+        internal static Vector3[] Points(int count, Vector3 size, int seed) =>
+            ParticleSets.Random(count, size, 0f, seed).Select(p => p.Position).ToArray();
 
         [Test]
-        public void WallStrideIsTheSizeOfTheStruct() => Assert.That(Marshal.SizeOf<StoredWall.Packed>(), Is.EqualTo(MeshWallBuffers.WallStride));
+        public void WallStrideIsTheSizeOfTheStruct() =>
+        Assert.That(Marshal.SizeOf<StoredWall.Packed>(), Is.EqualTo(MeshWallBuffers.WallStride));
 
         [TestCase(1)]
         [TestCase(5)]
@@ -115,12 +123,14 @@ namespace SphFluid.Tests
                 for (int i = 0; i < count; i++)
                 {
                     double near = double.MaxValue;
-                    for (int axis = 0; axis < 3; axis++)
-                        near = Math.Min(near, 0.5 * size[axis] - Math.Abs(points[i][axis]));
+                    for (int axis = 0; axis < 3; axis++) near = Math.Min(near, 0.5 * size[axis] - Math.Abs(points[i][axis]));
                     if (Math.Abs(near / settings.SupportRadius - 1.0) > 3e-5)
+                    {
                         Assert.That(slots[i] != 0u, Is.EqualTo(near < settings.SupportRadius), $"whether {i} has a wall");
+                    }
                     if (near < 0.2 * Spacing || i % 7 != 0) continue; // the reference takes its time
-                    Assert.That(slots[i] == 0u ? 0.0 : walls[i].Value, Is.EqualTo(Share(points[i], faces, settings)).Within(1e-3), $"walls of {i}");
+                    Assert.That(slots[i] == 0u ? 0.0 : walls[i].Value, Is.EqualTo(Share(points[i], faces, settings)).Within(1e-3),
+                        $"walls of {i}");
                 }
             }
             UnityEngine.Object.DestroyImmediate(set);
@@ -149,7 +159,9 @@ namespace SphFluid.Tests
                 {
                     double nearest = settings.SupportRadius;
                     for (int t = 0; t < corners.Count; t += 3)
+                    {
                         nearest = Math.Min(nearest, ExactGeometry.Distance(at[i], corners[t], corners[t + 1], corners[t + 2]));
+                    }
                     Assert.That((Vector3)gaps[i], Is.EqualTo((Vector3)at[i]));
                     Assert.That(gaps[i].w, Is.LessThanOrEqualTo(nearest).And.GreaterThan(0.998 * nearest - 1e-6), $"particle {i}");
                 }
@@ -167,7 +179,8 @@ namespace SphFluid.Tests
                 rig.Add(corners);
                 Vector3 normal = new Vector3(-0.3f, 1f, 0f).normalized;
                 float[] distances = { 0.003f, 0.01f, 0.024f, 0.049f };
-                Vector3[] points = distances.SelectMany(d => new[] { d * normal + 0.011f * Vector3.forward, -d * normal + 0.011f * Vector3.forward }).ToArray();
+                Vector3[] points = distances
+                    .SelectMany(d => new[] { d * normal + 0.011f * Vector3.forward, -d * normal + 0.011f * Vector3.forward }).ToArray();
                 StoredWall[] walls = Gather(rig, points);
                 for (int i = 0; i < points.Length; i++)
                 {
@@ -188,7 +201,8 @@ namespace SphFluid.Tests
             const float spacing = 0.0625f, cell = 0.125f;
             var corners = new List<Vector3>();
             Sheet(corners, p => new Vector3(8f * cell * (p.x - 0.5f), 0f, 8f * cell * (p.y - 0.5f)), 8, false);
-            Vector3[] points = Enumerable.Range(0, 81).Select(i => new Vector3(0.5f * cell * (i % 9 - 4), (1 + i % 3) * 0.015625f, 0.5f * cell * (i / 9 - 4))).ToArray();
+            Vector3[] points = Enumerable.Range(0, 81)
+                .Select(i => new Vector3(0.5f * cell * (i % 9 - 4), (1 + i % 3) * 0.015625f, 0.5f * cell * (i / 9 - 4))).ToArray();
             using (var rig = new BodyRig(BodyRig.Water(new Vector3(2f, 1f, 2f), spacing, 0.3f)))
             {
                 rig.Add(corners);
@@ -233,7 +247,8 @@ namespace SphFluid.Tests
             for (int i = 0; i < 40; i++)
             {
                 Vector3 axis = i < 6 ? Turn((i % 2 == 0 ? 1f : -1f) * Vector3.right, i / 2) : ParticleSets.RandomVector(random).normalized;
-                Vector3 u = Vector3.Cross(axis, Mathf.Abs(axis.y) < 0.9f ? Vector3.up : Vector3.right).normalized, v = Vector3.Cross(axis, u);
+                Vector3 u = Vector3.Cross(axis, Mathf.Abs(axis.y) < 0.9f ? Vector3.up : Vector3.right).normalized,
+                    v = Vector3.Cross(axis, u);
                 using (var rig = new BodyRig(settings))
                 {
                     rig.Add(new[] { 0.3f * u, -0.2f * u + 0.3f * v, -0.2f * u - 0.3f * v });
@@ -269,7 +284,9 @@ namespace SphFluid.Tests
                     if (slots[i] == 0) continue;
                     Vector3 near = 0.5f * size - new Vector3(Mathf.Abs(at[i].x), Mathf.Abs(at[i].y), Mathf.Abs(at[i].z));
                     if (Mathf.Min(near.x, Mathf.Min(near.y, near.z)) > 0.2f * Spacing)
+                    {
                         Assert.That(walls[i].Value, Is.EqualTo(Share(at[i], faces, settings)).Within(1e-3), $"at {at[i]}");
+                    }
                     StoredWall wall = walls[i];
                     int axis = Mathf.Abs(wall.Normal.x) > 0.5f ? 0 : Mathf.Abs(wall.Normal.y) > 0.5f ? 1 : 2;
                     float speed = (axis == 0 ? -0.02f : 0.02f) / settings.TimeStep; // half of 0.4 m by 0.1 a step, into the box along x
@@ -331,8 +348,11 @@ namespace SphFluid.Tests
             Sheet(corners, p => Turn(new Vector3(0f, p.x - 0.5f, p.y - 0.5f), axis), 4, false);
             FluidParticle[] one = ParticleSets.Lattice(new Vector3Int(4, 5, 6), Spacing, 0.002f, 3);
             for (int i = 0; i < one.Length; i++)
+            {
                 one[i] = new FluidParticle(Turn(one[i].Position + 2.3f * Spacing * Vector3.right, axis), Vector3.zero, (uint)i);
-            FluidParticle[] both = one.Concat(one.Select(p => new FluidParticle(-p.Position, Vector3.zero, p.Id + (uint)one.Length))).ToArray();
+            }
+            FluidParticle[] both = one.Concat(one.Select(p => new FluidParticle(-p.Position, Vector3.zero, p.Id + (uint)one.Length)))
+                .ToArray();
             float[] Densities(FluidParticle[] start, out Vector3[] velocities)
             {
                 using (var rig = new BodyRig(settings))

@@ -13,7 +13,9 @@ namespace SphFluid.Tests
             using (var rig = new StandardStateRig(StandardStateRig.Water(Vector3.one, 0.05f), count))
             {
                 var random = new System.Random(count);
-                Vector4[] Vectors() => Enumerable.Range(0, count).Select(_ => StandardStateRig.WithW(ParticleSets.RandomVector(random), random.Next())).ToArray();
+                Vector4[] Vectors() =>
+                    Enumerable.Range(0, count).Select(_ => StandardStateRig.WithW(ParticleSets.RandomVector(random), random.Next()))
+                        .ToArray();
                 uint[] Numbers() => Enumerable.Range(0, count).Select(_ => (uint)random.Next()).ToArray();
                 Vector4[] positions = Vectors(), velocities = Vectors();
                 uint[] ranks = Numbers(), neighbours = Numbers();

@@ -81,7 +81,7 @@ namespace SphFluid.Tests
             }
         }
 
-        static void Load(StandardStateRig rig, FluidParticle[] particles)
+        private static void Load(StandardStateRig rig, FluidParticle[] particles)
         {
             StandardStateRig.Fill(rig.State.Published.Particles, particles);
             rig.State.Buffers.CellCount.SetData(Enumerable.Repeat(99u, rig.State.Buffers.CellCount.Count).ToArray());

@@ -8,11 +8,11 @@ namespace SphFluid.Tests
     /// <summary>Rigid bodies on the GPU: motion, what the liquid gives them, and what their owners say.</summary>
     public sealed class MoveBodiesTests
     {
-        const float Spacing = 0.04f;
+        private const float Spacing = 0.04f;
 
-        static readonly FluidParticle[] FarParticle = { new FluidParticle(new Vector3(0.9f, 0.9f, 0.9f), Vector3.zero, 0u) };
+        private static readonly FluidParticle[] FarParticle = { new FluidParticle(new Vector3(0.9f, 0.9f, 0.9f), Vector3.zero, 0u) };
 
-        static FluidSolverSettings Settings(bool gravity = true)
+        private static FluidSolverSettings Settings(bool gravity = true)
         {
             FluidSolverSettings settings = BodyRig.Water(2f * Vector3.one, Spacing, 0.4f, 3f);
             if (!gravity) settings.Gravity = Vector3.zero;
@@ -26,7 +26,8 @@ namespace SphFluid.Tests
             FluidSolverSettings settings = Settings();
             using (var rig = new FloatingRig(settings, FarParticle))
             {
-                FloatingBody body = rig.AddBox(new Vector3(0.3f, 0.2f, 0.1f), 500f, new Vector3(-0.3f, 0.2f, 0.1f), Quaternion.Euler(10f, 20f, 30f));
+                FloatingBody body =
+                    rig.AddBox(new Vector3(0.3f, 0.2f, 0.1f), 500f, new Vector3(-0.3f, 0.2f, 0.1f), Quaternion.Euler(10f, 20f, 30f));
                 for (int frame = 0; frame < frames; frame++) rig.Frame(steps);
                 double v = 0.0, y = 0.2, dt = settings.TimeStep;
                 for (int step = 0; step < frames * steps; step++)
@@ -119,7 +120,8 @@ namespace SphFluid.Tests
             }
         }
 
-        // One half is struck; the other goes along, as the whole box does that is struck as much, but for the gyroscopic torque, which one body has not.
+        // One half is struck; the other goes along, as the whole box does that is struck as much, but for the gyroscopic torque, which one
+        // body has not.
         [Test]
         public void HalvesThatRestOnEachOtherMoveAsTheWhole()
         {
@@ -129,12 +131,15 @@ namespace SphFluid.Tests
             using (var rig = new FloatingRig(Settings(false), FarParticle))
             {
                 FloatingBody lower = rig.AddBox(half, 500f, -away - up, turn), alone = rig.AddBox(half, 500f, 0.6f * Vector3.down, turn);
-                FloatingBody upper = rig.AddBox(half, 500f, -away + up, turn), whole = rig.AddBox(new Vector3(0.3f, 0.2f, 0.2f), 500f, away, turn);
+                FloatingBody upper = rig.AddBox(half, 500f, -away + up, turn),
+                    whole = rig.AddBox(new Vector3(0.3f, 0.2f, 0.2f), 500f, away, turn);
                 (lower.Stack, upper.Stack) = (1, 1);
                 rig.Frame(1);
                 upper.Push(strike, spin, Vector3.zero, Vector3.zero);
-                Vector3 angular = Vector3.Cross(up, upper.Mass.Mass * strike) + turn * Vector3.Scale(upper.Mass.Inertia, Quaternion.Inverse(turn) * spin);
-                whole.Push(0.5f * strike, turn * Vector3.Scale(whole.Mass.InverseInertia, Quaternion.Inverse(turn) * angular), Vector3.zero, Vector3.zero);
+                Vector3 angular = Vector3.Cross(up, upper.Mass.Mass * strike) +
+                    turn * Vector3.Scale(upper.Mass.Inertia, Quaternion.Inverse(turn) * spin);
+                whole.Push(0.5f * strike, turn * Vector3.Scale(whole.Mass.InverseInertia, Quaternion.Inverse(turn) * angular), Vector3.zero,
+                    Vector3.zero);
                 for (int frame = 0; frame < 4; frame++) rig.Frame(frame == 0 ? 1 : 3);
                 FloatingState expected = rig.Read(whole);
                 Assert.That(expected.AngularVelocity.magnitude, Is.GreaterThan(0.5f));
@@ -143,7 +148,8 @@ namespace SphFluid.Tests
                     FloatingState state = rig.Read(body);
                     Vector3 arm = expected.Rotation * new Vector3(0f, body == upper ? 0.05f : -0.05f, 0f);
                     Assert.That((state.AngularVelocity - expected.AngularVelocity).magnitude, Is.LessThan(2e-3f));
-                    Assert.That((state.Velocity - expected.Velocity - Vector3.Cross(expected.AngularVelocity, arm)).magnitude, Is.LessThan(2e-3f));
+                    Assert.That((state.Velocity - expected.Velocity - Vector3.Cross(expected.AngularVelocity, arm)).magnitude,
+                        Is.LessThan(2e-3f));
                     Assert.That((state.Centre + 2f * away - expected.Centre - arm).magnitude, Is.LessThan(1e-4f));
                 }
 
@@ -158,7 +164,8 @@ namespace SphFluid.Tests
         public void LiquidAndBodyKeepTheirMomentumTogether(float density, float turn, int stepsPerFrame)
         {
             FluidSolverSettings settings = Settings(false);
-            FluidParticle[] particles = FloatingRig.Block(new Vector3Int(6, 7, 8), Spacing, new Vector3(-0.45f, -0.05f, -0.1f), new Vector3(2f, 0f, 0.3f));
+            FluidParticle[] particles =
+                FloatingRig.Block(new Vector3Int(6, 7, 8), Spacing, new Vector3(-0.45f, -0.05f, -0.1f), new Vector3(2f, 0f, 0.3f));
             using (var rig = new FloatingRig(settings, particles))
             {
                 var size = new Vector3(0.2f, 0.3f, 0.24f);
@@ -169,10 +176,13 @@ namespace SphFluid.Tests
                 Totals after = Of(rig, body);
                 double scale = particles.Length * settings.ParticleMass * 2.0;
                 FluidCounters counters = rig.Solver.ReadCountersNow();
-                string figures = $"linear {before.Linear} to {after.Linear}, angular {before.Angular} to {after.Angular}, body {rig.Read(body).Velocity}, contacts {counters.Contacts}, time {rig.Solver.SimulatedTime}";
+                string figures =
+                    $"linear {before.Linear} to {after.Linear}, angular {before.Angular} to {after.Angular}, body " +
+                    $"{rig.Read(body).Velocity}, contacts {counters.Contacts}, time {rig.Solver.SimulatedTime}";
                 Assert.That(rig.Read(body).Velocity.x * body.Mass.Mass, Is.GreaterThan(0.05 * scale), figures);
                 Assert.That((after.Linear - before.Linear).magnitude, Is.LessThan(1e-3 * scale), figures);
-                Assert.That((after.Angular - before.Angular).magnitude, Is.LessThan(1e-2 * scale * 0.3), figures); // velocities lie half a step behind the places
+                // velocities lie half a step behind the places
+                Assert.That((after.Angular - before.Angular).magnitude, Is.LessThan(1e-2 * scale * 0.3), figures);
                 Assert.That(counters.ImpulseLimits + counters.NonFinite + counters.DomainClamps, Is.Zero, figures);
             }
         }
@@ -186,7 +196,8 @@ namespace SphFluid.Tests
             using (var rig = new FloatingRig(settings, new[] { shot }))
             {
                 FloatingBody body = rig.AddBox(0.3f * Vector3.one, 100f, Vector3.zero);
-                Totals before = new Totals(settings.ParticleMass * shot.VelT0, settings.ParticleMass * Vector3.Cross(shot.Position, shot.VelT0));
+                Totals before =
+                    new Totals(settings.ParticleMass * shot.VelT0, settings.ParticleMass * Vector3.Cross(shot.Position, shot.VelT0));
                 rig.Frame(4);
                 Totals after = Of(rig, body);
                 FluidCounters counters = rig.Solver.ReadCountersNow();
@@ -202,7 +213,8 @@ namespace SphFluid.Tests
         {
             FloatingState Run()
             {
-                FluidParticle[] particles = FloatingRig.Block(new Vector3Int(6, 7, 8), Spacing, new Vector3(-0.45f, -0.05f, -0.1f), new Vector3(2f, 0f, 0.3f));
+                FluidParticle[] particles =
+                    FloatingRig.Block(new Vector3Int(6, 7, 8), Spacing, new Vector3(-0.45f, -0.05f, -0.1f), new Vector3(2f, 0f, 0.3f));
                 using (var rig = new FloatingRig(Settings(), particles))
                 {
                     FloatingBody body = rig.AddBox(0.25f * Vector3.one, 300f, Vector3.zero);
@@ -216,7 +228,7 @@ namespace SphFluid.Tests
             Assert.That(a.Velocity.x, Is.GreaterThan(0.1f));
         }
 
-        readonly struct Totals
+        private readonly struct Totals
         {
             public Totals(Vector3 linear, Vector3 angular)
             {
@@ -228,7 +240,7 @@ namespace SphFluid.Tests
             public Vector3 Angular { get; }
         }
 
-        static Totals Of(FloatingRig rig, FloatingBody body)
+        private static Totals Of(FloatingRig rig, FloatingBody body)
         {
             float mass = rig.Solver.Settings.ParticleMass;
             FloatingState state = rig.Read(body);

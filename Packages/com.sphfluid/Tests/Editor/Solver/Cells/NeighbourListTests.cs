@@ -7,9 +7,9 @@ namespace SphFluid.Tests
     /// <summary>Steps with a list of neighbours against steps that search twice.</summary>
     public sealed class NeighbourListTests
     {
-        const float Spacing = 0.05f;
+        private const float Spacing = 0.05f;
 
-        static readonly Vector3 Domain = new Vector3(0.4f, 0.5f, 0.35f);
+        private static readonly Vector3 Domain = new Vector3(0.4f, 0.5f, 0.35f);
 
         [TestCase(1, FluidAxes.None)]
         [TestCase(31, FluidAxes.None)]
@@ -85,10 +85,10 @@ namespace SphFluid.Tests
         }
 
         // Every step sorts anew.
-        static FluidSolverSettings With(in FluidSolverSettings settings, bool list) =>
+        private static FluidSolverSettings With(in FluidSolverSettings settings, bool list) =>
             settings.WithOwn((ref StandardSettings own) => (own.NeighbourList, own.StepsPerSort) = (list, 1));
 
-        static FluidParticle[] Run(FluidSolverSettings settings, bool list, FluidParticle[] start, int steps)
+        private static FluidParticle[] Run(FluidSolverSettings settings, bool list, FluidParticle[] start, int steps)
         {
             settings = With(settings, list);
             using (var rig = new StandardRig(settings, start))
@@ -98,7 +98,7 @@ namespace SphFluid.Tests
             }
         }
 
-        static void AssertSame(FluidParticle[] actual, FluidParticle[] expected)
+        private static void AssertSame(FluidParticle[] actual, FluidParticle[] expected)
         {
             float fastest = expected.Max(p => p.VelT0.magnitude);
             for (int i = 0; i < expected.Length; i++)

@@ -19,7 +19,8 @@ namespace SphFluid.Tests
                 rig.Steps(3);
                 FluidParticle[] particles = rig.Particles();
                 CellBuffers held = rig.State.Buffers;
-                Vector4[] positions = GpuTest.Read<Vector4>(held.Positions, count), velocities = GpuTest.Read<Vector4>(held.Velocities, count);
+                Vector4[] positions = GpuTest.Read<Vector4>(held.Positions, count),
+                    velocities = GpuTest.Read<Vector4>(held.Velocities, count);
                 float[] densities = rig.Densities(), pressures = rig.Pressures();
                 float[] density = GpuTest.Read<float>(held.Densities, count);
                 Vector4[] terms = GpuTest.Read<Vector4>(held.PositionTerms, count);

@@ -7,11 +7,11 @@ namespace SphFluid.Tests
     /// <summary>ResolveContacts on lists that the test makes, at walls where the end of each step is known.</summary>
     public sealed class ResolveContactsTests
     {
-        const float Spacing = 0.02f;
-        const float Rest = 0.1f * Spacing;
-        const float TimeStep = 1e-3f;
+        private const float Spacing = 0.02f;
+        private const float Rest = 0.1f * Spacing;
+        private const float TimeStep = 1e-3f;
 
-        static readonly Vector3[] Floor =
+        private static readonly Vector3[] Floor =
         {
             new Vector3(-0.4f, 0f, -0.4f), new Vector3(0f, 0f, 0.4f), new Vector3(0.4f, 0f, -0.4f),
         };
@@ -110,26 +110,26 @@ namespace SphFluid.Tests
             }
         }
 
-        static FluidSolverSettings Settings()
+        private static FluidSolverSettings Settings()
         {
             FluidSolverSettings settings = BodyRig.Water(Vector3.one, Spacing, 0.3f);
             settings.TimeStep = TimeStep;
             return settings;
         }
 
-        static Vector4[] Resolve(BodyRig rig, Vector3[] from, Vector3[] to, int[] list, out Vector3[] velocities)
+        private static Vector4[] Resolve(BodyRig rig, Vector3[] from, Vector3[] to, int[] list, out Vector3[] velocities)
         {
             Start(rig, from);
             return Run(rig, from, to, list, out velocities);
         }
 
-        static void Start(BodyRig rig, Vector3[] from)
+        private static void Start(BodyRig rig, Vector3[] from)
         {
             rig.Start(from.Select((p, i) => new FluidParticle(p, Vector3.zero, (uint)i)).ToArray());
             rig.Setup();
         }
 
-        static Vector4[] Run(BodyRig rig, Vector3[] from, Vector3[] to, int[] list, out Vector3[] velocities)
+        private static Vector4[] Run(BodyRig rig, Vector3[] from, Vector3[] to, int[] list, out Vector3[] velocities)
         {
             StandardState state = rig.State;
             int count = from.Length;
@@ -145,8 +145,7 @@ namespace SphFluid.Tests
             GpuTest.Run(cmd => pass.Record(cmd, state, new FluidStep(TimeStep, TimeStep, false), state.Buffers.PositionTerms));
             Object.DestroyImmediate(shaders);
             Vector4[] moved = GpuTest.Read<Vector4>(state.Buffers.NewVelocities, count);
-            for (int i = 0; i < count; i++)
-                Assert.That(StandardStateRig.ToBits(moved[i].w), Is.EqualTo(7u * (uint)i), $"id of {i}");
+            for (int i = 0; i < count; i++) Assert.That(StandardStateRig.ToBits(moved[i].w), Is.EqualTo(7u * (uint)i), $"id of {i}");
             velocities = moved.Select(v => (Vector3)v).ToArray();
             return GpuTest.Read<Vector4>(state.Buffers.NewPositions, count);
         }

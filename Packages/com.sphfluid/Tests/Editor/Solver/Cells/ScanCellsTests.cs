@@ -45,8 +45,7 @@ namespace SphFluid.Tests
                 uint expected = 0u;
                 for (int i = 0; i < total; i++)
                 {
-                    if (starts[i] != expected)
-                        Assert.Fail($"cell {i} of {total} begins at {starts[i]}, not {expected}");
+                    if (starts[i] != expected) Assert.Fail($"cell {i} of {total} begins at {starts[i]}, not {expected}");
                     expected += counts[i];
                 }
 

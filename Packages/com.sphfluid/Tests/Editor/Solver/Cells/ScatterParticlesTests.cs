@@ -7,7 +7,7 @@ namespace SphFluid.Tests
     /// <summary>ScatterParticles on ranks that the test makes: particles of a cell by their ranks, or ids.</summary>
     public sealed class ScatterParticlesTests
     {
-        const float ListTime = 0.05f; // s
+        private const float ListTime = 0.05f; // s
 
         [Test]
         public void ParticlesOfACellFollowEachOther(
@@ -39,8 +39,7 @@ namespace SphFluid.Tests
                 int[] byRank = Enumerable.Range(0, count).OrderBy(i => cellOf[i]).ThenBy(_ => random.Next()).ToArray();
                 uint[] starts = Starts(cellOf, cells.CellCount);
                 var ranks = new uint[count];
-                for (int place = 0; place < count; place++)
-                    ranks[byRank[place]] = (uint)place - starts[cellOf[byRank[place]]];
+                for (int place = 0; place < count; place++) ranks[byRank[place]] = (uint)place - starts[cellOf[byRank[place]]];
                 int[] byId = Enumerable.Range(0, count).OrderBy(i => cellOf[i]).ThenBy(i => ids[i]).ToArray();
 
                 CellBuffers buffers = rig.State.Buffers;
@@ -48,7 +47,8 @@ namespace SphFluid.Tests
                 StandardStateRig.Fill(buffers.NewVelocities, velocities);
                 StandardStateRig.Fill(buffers.Rank, ranks);
                 buffers.CellStart.SetData(starts);
-                buffers.CellCount.SetData(Enumerable.Range(0, buffers.CellCount.Count).Select(i => i < buffers.CellTotal ? 0u : 9u).ToArray());
+                buffers.CellCount.SetData(Enumerable.Range(0, buffers.CellCount.Count).Select(i => i < buffers.CellTotal ? 0u : 9u)
+                    .ToArray());
                 StandardStateRig.Fill(rig.State.List.Counts, Enumerable.Range(0, count).Select(i => i % 3 == 0 ? 40u : 30u).ToArray());
                 rig.State.ListTime = ListTime;
                 var pass = new ScatterParticlesPass(rig.Shaders);
@@ -77,7 +77,7 @@ namespace SphFluid.Tests
             }
         }
 
-        static uint[] Starts(int[] cellOf, int cellCount)
+        private static uint[] Starts(int[] cellOf, int cellCount)
         {
             var starts = new uint[cellCount + 2];
             foreach (int cell in cellOf) starts[cell + 1]++;

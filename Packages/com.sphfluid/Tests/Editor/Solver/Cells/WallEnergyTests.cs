@@ -6,21 +6,24 @@ using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>What walls add is one function of place, whose gradient is their push: walls that stand still do no work, however they are cut.</summary>
+    /// <summary>
+    /// What walls add is one function of place, whose gradient is their push: walls that stand still do no work, however they are cut.
+    /// </summary>
     public sealed class WallEnergyTests
     {
-        const float Spacing = 0.05f, Radius = 5.3f * Spacing, Height = 0.6f;
+        private const float Spacing = 0.05f, Radius = 5.3f * Spacing, Height = 0.6f;
 
         public enum Cut { OneWay, TheOther, Alternate, Turned }
 
-        static readonly FluidSolverSettings Settings = BodyRig.Water(1.2f * Vector3.one, Spacing, 0.3f);
+        private static readonly FluidSolverSettings Settings = BodyRig.Water(1.2f * Vector3.one, Spacing, 0.3f);
 
         // An upright tube without a floor, of quads that are cut in two; some of the triangles run the other way round with Turned.
-        static List<Vector3> Tube(int sides, Cut cut, int rows = 4)
+        private static List<Vector3> Tube(int sides, Cut cut, int rows = 4)
         {
             var corners = new List<Vector3>();
             Vector3 At(int side, int row) =>
-                new Vector3(Radius * Mathf.Cos(2f * Mathf.PI * (side % sides) / sides), Height * ((float)row / rows - 0.5f), Radius * Mathf.Sin(2f * Mathf.PI * (side % sides) / sides));
+                new Vector3(Radius * Mathf.Cos(2f * Mathf.PI * (side % sides) / sides), Height * ((float)row / rows - 0.5f),
+                    Radius * Mathf.Sin(2f * Mathf.PI * (side % sides) / sides));
             for (int row = 0; row < rows; row++)
                 for (int side = 0; side < sides; side++)
                 {
@@ -34,12 +37,13 @@ namespace SphFluid.Tests
         }
 
         // A closed ball of few facets, seen from outside.
-        static List<Vector3> Rock()
+        private static List<Vector3> Rock()
         {
             var corners = new List<Vector3>();
             Vector3 At(int ring, int step)
             {
-                float polar = Mathf.PI * ring / 8f, turn = 2f * Mathf.PI * (step % 10) / 10f, size = 3.5f * Spacing * (1f + 0.2f * Mathf.Sin(3f * turn) * Mathf.Sin(2f * polar));
+                float polar = Mathf.PI * ring / 8f, turn = 2f * Mathf.PI * (step % 10) / 10f,
+                    size = 3.5f * Spacing * (1f + 0.2f * Mathf.Sin(3f * turn) * Mathf.Sin(2f * polar));
                 return size * new Vector3(Mathf.Sin(polar) * Mathf.Cos(turn), Mathf.Cos(polar), Mathf.Sin(polar) * Mathf.Sin(turn));
             }
             for (int ring = 0; ring < 8; ring++)
@@ -65,7 +69,7 @@ namespace SphFluid.Tests
             }
         }
 
-        static Vector3[] InTube(int count) =>
+        private static Vector3[] InTube(int count) =>
             ParticleSets.Random(4 * count, new Vector3(2f * Radius, 0.5f * Height, 2f * Radius), 0f, 7).Select(p => p.Position)
                 .Where(p => Math.Abs(Mathf.Sqrt(p.x * p.x + p.z * p.z) - Radius + 0.7f * Spacing) < 0.35f * Spacing).Take(count).ToArray();
 
@@ -75,7 +79,8 @@ namespace SphFluid.Tests
             Vector3[] points = InTube(200);
             Assert.That(points, Has.Length.GreaterThan(100));
             StoredWall[] one = Gather(Tube(sides, Cut.OneWay), points);
-            foreach (StoredWall[] other in new[] { Cut.TheOther, Cut.Alternate, Cut.Turned }.Select(cut => Gather(Tube(sides, cut), points)).Append(Gather(Tube(sides, Cut.OneWay, 7), points)))
+            foreach (StoredWall[] other in new[] { Cut.TheOther, Cut.Alternate, Cut.Turned }.Select(cut => Gather(Tube(sides, cut), points))
+                .Append(Gather(Tube(sides, Cut.OneWay, 7), points)))
                 for (int i = 0; i < points.Length; i++)
                 {
                     Assert.That(other[i].Value, Is.EqualTo(one[i].Value).Within(1e-3), $"at {points[i]}");
@@ -89,10 +94,14 @@ namespace SphFluid.Tests
         {
             const int points = 1920;
             float radius = Radius * Mathf.Cos(Mathf.PI / sides) - 0.5f * Spacing;
-            Vector3[] ring = Enumerable.Range(0, points).Select(i => 2f * Mathf.PI * (i + 0.5f) / points).Select(a => new Vector3(radius * Mathf.Cos(a), 0.013f, radius * Mathf.Sin(a))).ToArray();
+            Vector3[] ring = Enumerable.Range(0, points).Select(i => 2f * Mathf.PI * (i + 0.5f) / points)
+                .Select(a => new Vector3(radius * Mathf.Cos(a), 0.013f, radius * Mathf.Sin(a))).ToArray();
             StoredWall[] walls = Gather(Tube(sides, cut), ring);
             double work = 0.0;
-            for (int i = 0; i < points; i++) work += 2.0 * Math.PI / points * Double3.Dot(walls[i].Push, new Double3(-ring[i].z, 0.0, ring[i].x));
+            for (int i = 0; i < points; i++)
+            {
+                work += 2.0 * Math.PI / points * Double3.Dot(walls[i].Push, new Double3(-ring[i].z, 0.0, ring[i].x));
+            }
             Assert.That(Math.Abs(work), Is.LessThan(1e-3), "over what touches the whole kernel");
         }
 
@@ -109,7 +118,8 @@ namespace SphFluid.Tests
             var steps = new List<Vector3>();
             foreach (Vector3 middle in middles)
             {
-                Vector3 u = ParticleSets.RandomVector(random).normalized, v = Vector3.Cross(u, ParticleSets.RandomVector(random)).normalized;
+                Vector3 u = ParticleSets.RandomVector(random).normalized,
+                    v = Vector3.Cross(u, ParticleSets.RandomVector(random)).normalized;
                 for (int i = 0; i < points; i++)
                 {
                     float a = 2f * Mathf.PI * (i + 0.5f) / points, radius = 0.15f * Spacing;
@@ -147,7 +157,8 @@ namespace SphFluid.Tests
             Vector3[] plate = box.Indices.Select(i => box.Vertices[i]).ToArray();
             Vector3[] sheet = { At(-3f, 0.7f, -3f), At(3f, 0.7f, -3f), At(0f, 0.7f, 5f) };
             var point = At(0.1f, 1f, 0.2f);
-            double Share(IEnumerable<Vector3> corners) => ShadowReference.Share(point, corners.Select(c => (Double3)c).ToArray(), Settings.SupportRadius, Spacing);
+            double Share(IEnumerable<Vector3> corners) =>
+                ShadowReference.Share(point, corners.Select(c => (Double3)c).ToArray(), Settings.SupportRadius, Spacing);
             double expected = Share(plate) + Share(sheet.Reverse());
             Assert.That(Share(sheet), Is.Zero, "it looks down");
             Assert.That(Share(plate), Is.GreaterThan(0.02));
@@ -155,8 +166,8 @@ namespace SphFluid.Tests
             Assert.That(wall.Value, Is.EqualTo(expected).Within(1e-3));
         }
 
-        // What is seen edge-on hides next to nothing: where a particle crosses the plane of a triangle beside it, and sees the other side from then on or,
-        // of a solid, the back, nothing comes or goes at once. By sums over the edges alone up to 0.08 did.
+        // What is seen edge-on hides next to nothing: where a particle crosses the plane of a triangle beside it, and sees the other side
+        // from then on or, of a solid, the back, nothing comes or goes at once. By sums over the edges alone up to 0.08 did.
         [Test]
         public void BesideATriangleNextToNothingOfItIsSeenFromItsPlane()
         {
@@ -166,18 +177,21 @@ namespace SphFluid.Tests
             int near = 0;
             for (int sample = 0; sample < 6; sample++)
             {
-                Vector3[] corners = Enumerable.Range(0, 3).Select(_ => (0.7f + 0.4f * sample) * Spacing * ParticleSets.RandomVector(random)).ToArray();
+                Vector3[] corners = Enumerable.Range(0, 3)
+                    .Select(_ => (0.7f + 0.4f * sample) * Spacing * ParticleSets.RandomVector(random)).ToArray();
                 Vector3 normal = Vector3.Cross(corners[1] - corners[0], corners[2] - corners[0]).normalized;
                 Vector3[] points = Enumerable.Range(0, 64).Select(i =>
                 {
                     Vector3 from = corners[i % 3], edge = corners[(i + 1) % 3] - from;
-                    return from + (float)random.NextDouble() * edge + (0.02f + 0.5f * (float)random.NextDouble()) * Spacing * Vector3.Cross(edge, normal).normalized + height * normal;
+                    return from + (float)random.NextDouble() * edge +
+                        (0.02f + 0.5f * (float)random.NextDouble()) * Spacing * Vector3.Cross(edge, normal).normalized + height * normal;
                 }).ToArray();
                 StoredWall[] walls = Gather(corners.ToList(), points);
                 Double3[] triangle = corners.Select(c => (Double3)c).ToArray();
                 for (int i = 0; i < points.Length; i++)
                 {
-                    largest = Math.Max(largest, Math.Abs(walls[i].Value - ShadowReference.Share(points[i], triangle, Settings.SupportRadius, Spacing)));
+                    largest = Math.Max(largest,
+                        Math.Abs(walls[i].Value - ShadowReference.Share(points[i], triangle, Settings.SupportRadius, Spacing)));
                     near += walls[i].Push.Length * Spacing > 1e-3 ? 1 : 0;
                 }
             }
@@ -196,12 +210,15 @@ namespace SphFluid.Tests
                 rig.Add(Tube(32, cut));
                 FluidParticle[] water = ParticleSets.Lattice(new Vector3Int(12, 4, 12), Spacing, 0.02f * Spacing, 3)
                     .Select(p => new FluidParticle(p.Position + new Vector3(0f, -0.2f, 0f), Vector3.zero, p.Id))
-                    .Where(p => p.Position.x * p.Position.x + p.Position.z * p.Position.z < (Radius - 0.5f * Spacing) * (Radius - 0.5f * Spacing)).Select((p, i) => new FluidParticle(p.Position, Vector3.zero, (uint)i)).ToArray();
+                    .Where(p => p.Position.x * p.Position.x +
+                        p.Position.z * p.Position.z < (Radius - 0.5f * Spacing) * (Radius - 0.5f * Spacing))
+                        .Select((p, i) => new FluidParticle(p.Position, Vector3.zero, (uint)i)).ToArray();
                 rig.Start(water);
                 int steps = Mathf.CeilToInt(1f / settings.TimeStep);
                 for (int frame = 0; frame < steps / 8; frame++) rig.Frame(8);
                 FluidParticle[] now = rig.Particles();
-                double spin = now.Sum(p => (double)(p.Position.z * p.VelT0.x - p.Position.x * p.VelT0.z)) / now.Sum(p => (double)(p.Position.x * p.Position.x + p.Position.z * p.Position.z));
+                double spin = now.Sum(p => (double)(p.Position.z * p.VelT0.x - p.Position.x * p.VelT0.z)) /
+                    now.Sum(p => (double)(p.Position.x * p.Position.x + p.Position.z * p.Position.z));
                 TestContext.WriteLine($"{now.Length} particles, {spin:f4} rad/s after {steps} steps");
                 Assert.That(Math.Abs(spin), Is.LessThan(0.1));
             }

@@ -13,7 +13,8 @@ namespace SphFluid.Tests
             Assert.That(WendlandKernel.LatticeSum(ratio), Is.EqualTo(sum).Within(5e-5));
             Assert.That(WendlandKernel.LatticeMoment(ratio), Is.EqualTo(moment).Within(5e-5));
             var settings = new FluidSolverSettings { Spacing = 0.05f, SupportRadius = (float)(0.05 * ratio) };
-            Assert.That(WendlandKernel.LatticeMoment(ratio), Is.EqualTo(StandardReference.Response(settings)).Within(1e-5), "by compression");
+            Assert.That(WendlandKernel.LatticeMoment(ratio), Is.EqualTo(StandardReference.Response(settings)).Within(1e-5),
+                "by compression");
         }
 
         // Morris's sum of a particle that moves among others at rest, by all of a lattice.

@@ -7,12 +7,12 @@ namespace SphFluid.Tests
 {
     public sealed class FinishParticlesTests
     {
-        const float Spacing = 0.05f;
-        const float TimeStep = 1f / 240f;
-        const int Iterations = 2;
+        private const float Spacing = 0.05f;
+        private const float TimeStep = 1f / 240f;
+        private const int Iterations = 2;
 
-        static readonly Vector3 Domain = new Vector3(0.4f, 0.35f, 0.36f);
-        static readonly FluidStep Step = new FluidStep(TimeStep, TimeStep, false);
+        private static readonly Vector3 Domain = new Vector3(0.4f, 0.35f, 0.36f);
+        private static readonly FluidStep Step = new FluidStep(TimeStep, TimeStep, false);
 
         [TestCase(1, FluidAxes.None, 0f)]
         [TestCase(63, FluidAxes.All, 0f)]
@@ -30,7 +30,8 @@ namespace SphFluid.Tests
                 FluidParticle[] particles = Prepared(rig);
                 var pass = new FinishParticlesPass(rig.Shaders);
                 GpuTest.Run(cmd => pass.Record(cmd, rig.State, Step, Iterations));
-                Vector4[] velocities = GpuTest.Read<Vector4>(rig.State.Buffers.NewVelocities, count), places = GpuTest.Read<Vector4>(rig.State.Buffers.NewPositions, count);
+                Vector4[] velocities = GpuTest.Read<Vector4>(rig.State.Buffers.NewVelocities, count),
+                    places = GpuTest.Read<Vector4>(rig.State.Buffers.NewPositions, count);
                 Vector4[] carried = GpuTest.Read<Vector4>(rig.State.Motion.NewStarts, count);
                 RobustStateRig.AssertCounted(rig.State, places, Enumerable.Range(0, count).ToArray());
                 double sound = Math.Min(settings.SoundSpeed, RobustRules.EffectiveSoundSpeed(settings, TimeStep, Iterations));
@@ -41,10 +42,12 @@ namespace SphFluid.Tests
                     Double3 v = particles[i].VelT0, sum = new Double3();
                     for (int j = 0; j < count; j++)
                     {
-                        Double3 d = ThesisReference.Separation(particles[i], particles[j], settings.PeriodLength), relative = v - particles[j].VelT0;
+                        Double3 d = ThesisReference.Separation(particles[i], particles[j], settings.PeriodLength),
+                            relative = v - particles[j].VelT0;
                         if (j == i || d.Length >= settings.SupportRadius) continue;
                         sum += 2.0 * settings.Viscosity / (settings.RestDensity * (double)settings.RestDensity) * settings.ParticleMass *
-                            StandardReference.Slope(d.Length, settings.SupportRadius) / d.Length / StandardReference.Response(settings) * relative;
+                            StandardReference.Slope(d.Length, settings.SupportRadius) / d.Length /
+                            StandardReference.Response(settings) * relative;
                         sum += StandardReference.Parting(d, relative, pairs);
                     }
                     bool nearFace = Enumerable.Range(0, 3).Any(a => half[a] - Mathf.Abs(particles[i].Position[a]) < settings.SupportRadius);
@@ -53,7 +56,8 @@ namespace SphFluid.Tests
                     else Assert.That(Double3.Dot(error, v), Is.LessThan(1e-6), $"walls at rest take speed from {i}");
                     Assert.That(RobustStateRig.ToBits(velocities[i].w), Is.EqualTo(particles[i].Id));
                     Assert.That((Vector3)places[i], Is.EqualTo(particles[i].Position));
-                    Assert.That(carried[i].w, Is.EqualTo(1e-6f * i * settings.RestDensity / (TimeStep * TimeStep)).Within(1e-3).Percent, "pressure");
+                    Assert.That(carried[i].w, Is.EqualTo(1e-6f * i * settings.RestDensity / (TimeStep * TimeStep)).Within(1e-3).Percent,
+                        "pressure");
                 }
             }
         }
@@ -70,7 +74,8 @@ namespace SphFluid.Tests
                 rig.State.Buffers.NewPositions.SetData(places);
                 var pass = new FinishParticlesPass(rig.Shaders);
                 GpuTest.Run(cmd => pass.Record(cmd, rig.State, Step, Iterations));
-                Vector4[] after = GpuTest.Read<Vector4>(rig.State.Buffers.NewPositions, 3), velocities = GpuTest.Read<Vector4>(rig.State.Buffers.NewVelocities, 3);
+                Vector4[] after = GpuTest.Read<Vector4>(rig.State.Buffers.NewPositions, 3),
+                    velocities = GpuTest.Read<Vector4>(rig.State.Buffers.NewVelocities, 3);
                 Assert.That((Vector3)after[1], Is.EqualTo(particles[1].Position));
                 Assert.That((Vector3)velocities[1], Is.EqualTo(Vector3.zero));
                 Assert.That(rig.Counters()[2], Is.EqualTo(1u));
@@ -91,17 +96,19 @@ namespace SphFluid.Tests
                 FluidParticle[] particles = Prepared(rig);
                 var pass = new FinishParticlesPass(rig.Shaders);
                 GpuTest.Run(cmd => pass.Record(cmd, rig.State, Step, Iterations));
-                double before = particles.Sum(p => Double3.Dot(p.VelT0, p.VelT0)), after = GpuTest.Read<Vector4>(rig.State.Buffers.NewVelocities, count)
+                double before = particles.Sum(p => Double3.Dot(p.VelT0, p.VelT0)),
+                    after = GpuTest.Read<Vector4>(rig.State.Buffers.NewVelocities, count)
                     .Sum(v => Double3.Dot((Vector3)v, (Vector3)v));
                 Assert.That(after, Is.LessThan(before), "viscosity takes energy, however large it is");
             }
         }
 
         // Particles as the last iteration left them, where it found them; multipliers of -i 1e-6 m2.
-        static FluidParticle[] Prepared(RobustStateRig rig)
+        private static FluidParticle[] Prepared(RobustStateRig rig)
         {
             FluidParticle[] particles = rig.Constrained(TimeStep);
-            rig.State.Motion.Displacements.SetData(particles.Select(p => RobustStateRig.WithW(TimeStep * p.VelT0, RobustStateRig.FromBits(p.Id))).ToArray());
+            rig.State.Motion.Displacements
+                .SetData(particles.Select(p => RobustStateRig.WithW(TimeStep * p.VelT0, RobustStateRig.FromBits(p.Id))).ToArray());
             rig.State.Buffers.NewPositions.SetData(particles.Select((p, i) => RobustStateRig.WithW(p.Position, -1e-6f * i)).ToArray());
             return particles;
         }

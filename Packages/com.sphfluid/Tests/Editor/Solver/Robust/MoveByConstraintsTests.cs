@@ -7,10 +7,10 @@ namespace SphFluid.Tests
 {
     public sealed class MoveByConstraintsTests
     {
-        const float Spacing = 0.05f;
-        const float TimeStep = 1f / 240f;
+        private const float Spacing = 0.05f;
+        private const float TimeStep = 1f / 240f;
 
-        static readonly Vector3 Domain = new Vector3(0.4f, 0.35f, 0.36f);
+        private static readonly Vector3 Domain = new Vector3(0.4f, 0.35f, 0.36f);
 
         [TestCase(1, FluidAxes.None)]
         [TestCase(63, FluidAxes.All)]
@@ -52,9 +52,11 @@ namespace SphFluid.Tests
                 Prepared(rig, out Vector4[] terms);
                 var pass = new MoveByConstraintsPass(rig.Shaders);
                 GpuTest.Run(cmd => pass.Record(cmd, rig.State, TimeStep, true));
-                Vector4[] first = GpuTest.Read<Vector4>(rig.State.Motion.Displacements, count), at = GpuTest.Read<Vector4>(rig.State.Buffers.NewPositions, count);
+                Vector4[] first = GpuTest.Read<Vector4>(rig.State.Motion.Displacements, count),
+                    at = GpuTest.Read<Vector4>(rig.State.Buffers.NewPositions, count);
                 GpuTest.Run(cmd => pass.Record(cmd, rig.State, TimeStep, false));
-                Vector4[] second = GpuTest.Read<Vector4>(rig.State.Motion.Displacements, count), then = GpuTest.Read<Vector4>(rig.State.Buffers.NewPositions, count);
+                Vector4[] second = GpuTest.Read<Vector4>(rig.State.Motion.Displacements, count),
+                    then = GpuTest.Read<Vector4>(rig.State.Buffers.NewPositions, count);
                 Vector4[] velocities = GpuTest.Read<Vector4>(rig.State.Buffers.Velocities, count);
                 for (int i = 0; i < count; i++)
                 {
@@ -75,7 +77,8 @@ namespace SphFluid.Tests
                 FluidParticle[] particles = Prepared(rig, out _, 1f);
                 var pass = new MoveByConstraintsPass(rig.Shaders);
                 GpuTest.Run(cmd => pass.Record(cmd, rig.State, TimeStep, true));
-                Vector4[] places = GpuTest.Read<Vector4>(rig.State.Buffers.NewPositions, count), moved = GpuTest.Read<Vector4>(rig.State.Motion.Displacements, count);
+                Vector4[] places = GpuTest.Read<Vector4>(rig.State.Buffers.NewPositions, count),
+                    moved = GpuTest.Read<Vector4>(rig.State.Motion.Displacements, count);
                 Vector4[] starts = GpuTest.Read<Vector4>(rig.State.Motion.Starts, count);
                 int held = 0;
                 for (int i = 0; i < count; i++)
@@ -83,7 +86,8 @@ namespace SphFluid.Tests
                     {
                         float half = 0.5f * Domain[axis], least = Mathf.Min(0.25f * Spacing, half - Mathf.Abs(particles[i].Position[axis]));
                         Assert.That(half - Mathf.Abs(places[i][axis]), Is.GreaterThan(least - 1e-6f), $"particle {i}");
-                        Assert.That(starts[i][axis] + moved[i][axis], Is.EqualTo(places[i][axis]).Within(1e-6), "the displacement leads there");
+                        Assert.That(starts[i][axis] + moved[i][axis], Is.EqualTo(places[i][axis]).Within(1e-6),
+                            "the displacement leads there");
                         held += IsAtShell(places[i][axis], axis) ? 1 : 0;
                     }
                 Assert.That(held, Is.GreaterThan(0));
@@ -104,14 +108,16 @@ namespace SphFluid.Tests
                 var pass = new MoveByConstraintsPass(rig.Shaders);
                 GpuTest.Run(cmd => pass.Record(cmd, rig.State, TimeStep, true));
                 foreach (Vector4 displacement in GpuTest.Read<Vector4>(rig.State.Motion.Displacements, count))
+                {
                     Assert.That(((Vector3)displacement - 0.01f * Vector3.one).magnitude, Is.LessThan(1e-6f));
+                }
             }
         }
 
-        static bool IsAtShell(float x, int axis) => Mathf.Abs(x) > 0.5f * Domain[axis] - 0.251f * Spacing;
+        private static bool IsAtShell(float x, int axis) => Mathf.Abs(x) > 0.5f * Domain[axis] - 0.251f * Spacing;
 
         // Particles where they were predicted, and where they began.
-        static FluidParticle[] Prepared(RobustStateRig rig, out Vector4[] terms, float part = 0.9f)
+        private static FluidParticle[] Prepared(RobustStateRig rig, out Vector4[] terms, float part = 0.9f)
         {
             FluidParticle[] particles = part == 0.9f ? rig.Constrained(TimeStep) : Full(rig);
             rig.State.Motion.Starts.SetData(particles.Select(p => RobustStateRig.WithW(p.Position - TimeStep * p.VelT0, 0f)).ToArray());
@@ -119,7 +125,7 @@ namespace SphFluid.Tests
             return particles;
         }
 
-        static FluidParticle[] Full(RobustStateRig rig)
+        private static FluidParticle[] Full(RobustStateRig rig)
         {
             FluidParticle[] particles = rig.FillSorted(ParticleSets.Random(rig.State.ParticleCount, Domain, 1f, 5));
             var pass = new ConstrainDensityPass(rig.Shaders);
@@ -127,17 +133,20 @@ namespace SphFluid.Tests
             return particles;
         }
 
-        static Double3 Moved(FluidParticle[] particles, Vector4[] terms, int i, FluidSolverSettings settings)
+        private static Double3 Moved(FluidParticle[] particles, Vector4[] terms, int i, FluidSolverSettings settings)
         {
-            double response = StandardReference.Response(settings), ratio = settings.ParticleMass / (settings.RestDensity * response), h = 1e-4 * Spacing;
-            double Walls(double x, double y, double z) => StandardReference.Walls((Double3)particles[i].Position + new Double3(x, y, z), settings);
+            double response = StandardReference.Response(settings), ratio = settings.ParticleMass / (settings.RestDensity * response),
+                h = 1e-4 * Spacing;
+            double Walls(double x, double y, double z) =>
+                StandardReference.Walls((Double3)particles[i].Position + new Double3(x, y, z), settings);
             Double3 moved = terms[i].w / (2.0 * h * response) *
                 new Double3(Walls(h, 0, 0) - Walls(-h, 0, 0), Walls(0, h, 0) - Walls(0, -h, 0), Walls(0, 0, h) - Walls(0, 0, -h));
             for (int j = 0; j < particles.Length; j++)
             {
                 Double3 d = ThesisReference.Separation(particles[i], particles[j], settings.PeriodLength);
                 if (j == i || d.Length >= settings.SupportRadius) continue;
-                moved += (terms[i].w + (double)terms[j].w) * ratio * StandardReference.Slope(d.Length, settings.SupportRadius) / d.Length * d;
+                moved += (terms[i].w + (double)terms[j].w) * ratio * StandardReference.Slope(d.Length, settings.SupportRadius) /
+                    d.Length * d;
             }
             return moved;
         }

@@ -6,13 +6,14 @@ namespace SphFluid.Tests
 {
     public sealed class PredictParticlesTests
     {
-        const float Spacing = 0.05f;
-        const float TimeStep = 1f / 240f;
+        private const float Spacing = 0.05f;
+        private const float TimeStep = 1f / 240f;
 
-        static readonly Vector3 Domain = new Vector3(0.6f, 0.5f, 0.4f);
+        private static readonly Vector3 Domain = new Vector3(0.6f, 0.5f, 0.4f);
 
         // Runs the pass on random particles: what they were, where they come to, their velocities and what the sort takes along.
-        static (FluidParticle[] before, Vector4[] after, Vector4[] velocities, Vector4[] starts) Run(FluidSolverSettings settings, int count, bool isLeft, FluidStep step, bool checksCells = true)
+        private static (FluidParticle[] before, Vector4[] after, Vector4[] velocities, Vector4[] starts) Run(FluidSolverSettings settings,
+            int count, bool isLeft, FluidStep step, bool checksCells = true)
         {
             using (var rig = new RobustStateRig(settings, count))
             {
@@ -21,7 +22,8 @@ namespace SphFluid.Tests
                 if (isLeft)
                 {
                     RobustStateRig.Fill(buffers.NewPositions, particles.Select(p => RobustStateRig.WithW(p.Position, 0f)).ToArray());
-                    RobustStateRig.Fill(buffers.NewVelocities, particles.Select(p => RobustStateRig.WithW(p.VelT0, RobustStateRig.FromBits(p.Id))).ToArray());
+                    RobustStateRig.Fill(buffers.NewVelocities,
+                        particles.Select(p => RobustStateRig.WithW(p.VelT0, RobustStateRig.FromBits(p.Id))).ToArray());
                     RobustStateRig.Fill(buffers.Positions, new Vector4[count]);
                     RobustStateRig.Fill(buffers.Velocities, new Vector4[count]);
                 }
@@ -29,7 +31,8 @@ namespace SphFluid.Tests
                 GpuTest.Run(cmd => pass.Record(cmd, rig.State, step, isLeft));
                 Vector4[] after = GpuTest.Read<Vector4>(buffers.NewPositions, count);
                 if (checksCells) RobustStateRig.AssertCounted(rig.State, after, Enumerable.Range(0, count).ToArray());
-                return (particles, after, GpuTest.Read<Vector4>(buffers.NewVelocities, count), GpuTest.Read<Vector4>(rig.State.Motion.NewStarts, count));
+                return (particles, after, GpuTest.Read<Vector4>(buffers.NewVelocities, count),
+                    GpuTest.Read<Vector4>(rig.State.Motion.NewStarts, count));
             }
         }
 
@@ -37,7 +40,8 @@ namespace SphFluid.Tests
         public void GravityMovesThemAndFacesHoldThem([Values(1, 63, 64, 65, 257)] int count, [Values] bool isLeft)
         {
             FluidSolverSettings settings = RobustStateRig.Robust(Domain, Spacing);
-            (FluidParticle[] before, Vector4[] after, Vector4[] velocities, Vector4[] starts) = Run(settings, count, isLeft, new FluidStep(TimeStep, TimeStep, false));
+            (FluidParticle[] before, Vector4[] after, Vector4[] velocities, Vector4[] starts) =
+                Run(settings, count, isLeft, new FluidStep(TimeStep, TimeStep, false));
             Vector3 half = 0.5f * Domain;
             for (int i = 0; i < count; i++)
             {
@@ -45,8 +49,10 @@ namespace SphFluid.Tests
                 Assert.That(RobustStateRig.ToBits(velocities[i].w), Is.EqualTo(before[i].Id));
                 for (int axis = 0; axis < 3; axis++)
                 {
-                    double x = before[i].Position[axis], v = before[i].VelT0[axis] + (double)TimeStep * settings.Gravity[axis], shell = 0.25 * Spacing;
-                    double low = -System.Math.Max(x + half[axis] - shell, 0.0) / TimeStep, high = System.Math.Max(half[axis] - x - shell, 0.0) / TimeStep;
+                    double x = before[i].Position[axis], v = before[i].VelT0[axis] + (double)TimeStep * settings.Gravity[axis],
+                        shell = 0.25 * Spacing;
+                    double low = -System.Math.Max(x + half[axis] - shell, 0.0) / TimeStep,
+                        high = System.Math.Max(half[axis] - x - shell, 0.0) / TimeStep;
                     double held = System.Math.Min(System.Math.Max(v, low), high);
                     Assert.That(velocities[i][axis], Is.EqualTo(held).Within(1e-4), $"velocity of {i}");
                     Assert.That(after[i][axis], Is.EqualTo(x + TimeStep * held).Within(2e-6), $"place of {i}");
@@ -60,7 +66,9 @@ namespace SphFluid.Tests
             FluidSolverSettings settings = RobustStateRig.Robust(Domain, Spacing, FluidAxes.All);
             (FluidParticle[] before, _, Vector4[] velocities, _) = Run(settings, 65, false, new FluidStep(TimeStep, TimeStep, true));
             for (int i = 0; i < before.Length; i++)
+            {
                 Assert.That(velocities[i].y - before[i].VelT0.y, Is.EqualTo(0.5f * TimeStep * settings.Gravity.y).Within(1e-5));
+            }
         }
 
         [Test]

@@ -8,13 +8,14 @@ namespace SphFluid.Tests
     /// <summary>Colliders in liquid of the Robust method: nothing crosses them, they may move, and the liquid moves them.</summary>
     public sealed class RobustBodiesTests
     {
-        const float Spacing = 0.05f;
+        private const float Spacing = 0.05f;
 
-        static readonly Vector3 Domain = new Vector3(1f, 1.2f, 0.8f);
+        private static readonly Vector3 Domain = new Vector3(1f, 1.2f, 0.8f);
 
-        static FluidSolverSettings Settings(float speed = 0f) => BodyRig.Water(Domain, Spacing, 0.4f, speed, FluidMethodKind.Robust);
+        private static FluidSolverSettings Settings(float speed = 0f) =>
+            BodyRig.Water(Domain, Spacing, 0.4f, speed, FluidMethodKind.Robust);
 
-        static FluidParticle[] Block(Vector3 velocity)
+        private static FluidParticle[] Block(Vector3 velocity)
         {
             FluidParticle[] block = ParticleSets.Lattice(new Vector3Int(8, 7, 8), Spacing, 0.02f * Spacing, 3);
             for (int i = 0; i < block.Length; i++) block[i] = new FluidParticle(block[i].Position, velocity, block[i].Id);
@@ -30,7 +31,8 @@ namespace SphFluid.Tests
             float y = -0.35f;
             using (var rig = new BodyRig(Settings(speed)))
             {
-                Vector3 a = new Vector3(-0.6f, y, -0.5f), b = new Vector3(-0.6f, y, 0.5f), c = new Vector3(0.6f, y, 0.5f), d = new Vector3(0.6f, y, -0.5f);
+                Vector3 a = new Vector3(-0.6f, y, -0.5f), b = new Vector3(-0.6f, y, 0.5f), c = new Vector3(0.6f, y, 0.5f),
+                    d = new Vector3(0.6f, y, -0.5f);
                 rig.Add(new[] { a, b, c, a, c, d });
                 FluidParticle[] start = Block(speed * Vector3.down);
                 rig.Start(start);
@@ -60,7 +62,8 @@ namespace SphFluid.Tests
             {
                 Transform plate = rig.AddBox(new Vector3(0.06f, 1.3f, 0.9f));
                 plate.localPosition = new Vector3(-0.3f, 0f, 0f);
-                FluidParticle[] start = Block(Vector3.zero).Where(p => p.Position.x > -0.2f).Select((p, i) => new FluidParticle(p.Position - 0.4f * Vector3.up, Vector3.zero, (uint)i)).ToArray();
+                FluidParticle[] start = Block(Vector3.zero).Where(p => p.Position.x > -0.2f)
+                    .Select((p, i) => new FluidParticle(p.Position - 0.4f * Vector3.up, Vector3.zero, (uint)i)).ToArray();
                 rig.Start(start);
                 for (int frame = 0; frame < 24; frame++)
                 {
@@ -79,7 +82,8 @@ namespace SphFluid.Tests
         {
             double Height(bool mesh)
             {
-                FluidSolverSettings settings = BodyRig.Water(mesh ? new Vector3(1f, 1f, 1f) : new Vector3(0.3f, 1f, 0.3f), Spacing, 0.4f, 0f, FluidMethodKind.Robust);
+                FluidSolverSettings settings =
+                    BodyRig.Water(mesh ? new Vector3(1f, 1f, 1f) : new Vector3(0.3f, 1f, 0.3f), Spacing, 0.4f, 0f, FluidMethodKind.Robust);
                 using (var rig = new BodyRig(settings))
                 {
                     if (mesh)
@@ -94,18 +98,23 @@ namespace SphFluid.Tests
                     }
                     float floor = mesh ? -0.45f : -0.5f;
                     FluidParticle[] start = ParticleSets.Lattice(new Vector3Int(6, 8, 6), Spacing, 0.02f * Spacing, 3);
-                    for (int i = 0; i < start.Length; i++) start[i] = new FluidParticle(start[i].Position + (floor + 0.2f) * Vector3.up, Vector3.zero, start[i].Id);
+                    for (int i = 0; i < start.Length; i++)
+                    {
+                        start[i] = new FluidParticle(start[i].Position + (floor + 0.2f) * Vector3.up, Vector3.zero, start[i].Id);
+                    }
                     rig.Start(start);
                     for (int frame = 0; frame < 60; frame++) rig.Frame(4);
                     Assert.That(rig.Solver.ReadCountersNow().NonFinite, Is.Zero);
                     FluidParticle[] after = rig.Particles();
-                    Assert.That(after.Count(p => Mathf.Max(Mathf.Abs(p.Position.x), Mathf.Abs(p.Position.z)) < 0.15f && p.Position.y > floor), Is.EqualTo(start.Length));
+                    Assert.That(after.Count(p => Mathf.Max(Mathf.Abs(p.Position.x), Mathf.Abs(p.Position.z)) < 0.15f &&
+                        p.Position.y > floor), Is.EqualTo(start.Length));
                     Assert.That(after.Max(p => p.VelT0.magnitude), Is.LessThan(0.3f), "calm");
                     return 2.0 * after.Average(p => (double)p.Position.y - floor);
                 }
             }
             double domain = Height(false), triangles = Height(true);
-            TestContext.Out.WriteLine($"height {domain:0.0000} m in the domain, {triangles:0.0000} m between triangles, 0.4 m at the start");
+            TestContext.Out
+                .WriteLine($"height {domain:0.0000} m in the domain, {triangles:0.0000} m between triangles, 0.4 m at the start");
             Assert.That(triangles, Is.EqualTo(domain).Within(0.1 * Spacing));
         }
 
@@ -113,7 +122,8 @@ namespace SphFluid.Tests
         [TestCase(0.1f)]
         public void ACrateFloatsUprightAsDeepAsItIsHeavy(float ratio)
         {
-            using (var tank = new FloatingTank(0.06f, 13, 7, 0.3f * new Vector3(1.5f, 1f, 1.5f), ratio, 0.3f * (0.55f - ratio), Quaternion.Euler(5f, 0f, 3f), FluidMethodKind.Robust))
+            using (var tank = new FloatingTank(0.06f, 13, 7, 0.3f * new Vector3(1.5f, 1f, 1.5f), ratio, 0.3f * (0.55f - ratio),
+                Quaternion.Euler(5f, 0f, 3f), FluidMethodKind.Robust))
             {
                 tank.Play(1.2);
                 string figures = tank.Figures(0.5);

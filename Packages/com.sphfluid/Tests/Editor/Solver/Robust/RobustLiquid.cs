@@ -5,10 +5,12 @@ using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>Liquids of ../methods, the page that the Robust method's limits are from, by any method, and their sums in double precision.</summary>
+    /// <summary>
+    /// Liquids of ../methods, the page that the Robust method's limits are from, by any method, and their sums in double precision.
+    /// </summary>
     internal sealed class RobustLiquid : IDisposable
     {
-        readonly StandardRig rig;
+        private readonly StandardRig rig;
 
         public RobustLiquid(in FluidSolverSettings settings, FluidParticle[] particles)
         {
@@ -74,11 +76,14 @@ namespace SphFluid.Tests
             input.Gravity = new Vector3(0f, -1f, 0f);
             input.LiquidHeight = input.LiquidDepth = 1f;
             input.FixedTimeStep = timeStep;
-            FluidSolverSettings settings = FluidRules.Derive(input).WithSoundSpeed(soundSpeed).WithOwn((ref RobustSettings own) => own.Iterations = iterations);
+            FluidSolverSettings settings = FluidRules.Derive(input).WithSoundSpeed(soundSpeed)
+                .WithOwn((ref RobustSettings own) => own.Iterations = iterations);
             settings.Viscosity = 0.02f * settings.SupportRadius * settings.RestDensity;
             FluidParticle[] lattice = ParticleSets.Lattice(new Vector3Int(8, height, 8), dx, 0.05f * dx, 1);
             for (int i = 0; i < lattice.Length; i++)
+            {
                 lattice[i] = new FluidParticle(lattice[i].Position - 0.25f * Vector3.up, Vector3.zero, lattice[i].Id);
+            }
             var column = new RobustLiquid(settings, lattice);
             column.Solver.PeakSpeed = 0f;
             return column;
@@ -101,7 +106,9 @@ namespace SphFluid.Tests
             FluidSolverSettings settings = FluidRules.Derive(input);
             FluidParticle[] block = ParticleSets.Lattice(new Vector3Int(16, 20, depth), dx, 0.05f * dx, 1);
             for (int i = 0; i < block.Length; i++)
+            {
                 block[i] = new FluidParticle(block[i].Position - new Vector3(12f * dx, 20f * dx, 0f), new Vector3(4f, 0f, 0f), block[i].Id);
+            }
             return new RobustLiquid(settings, block);
         }
     }

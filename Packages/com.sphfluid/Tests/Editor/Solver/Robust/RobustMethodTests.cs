@@ -7,9 +7,9 @@ namespace SphFluid.Tests
 {
     public sealed class RobustMethodTests
     {
-        const float Spacing = 0.05f;
+        private const float Spacing = 0.05f;
 
-        static FluidSolverSettings Settings(Vector3 domain, FluidAxes periodic = FluidAxes.None, float ratio = 2f)
+        private static FluidSolverSettings Settings(Vector3 domain, FluidAxes periodic = FluidAxes.None, float ratio = 2f)
         {
             FluidRuleInput input = FluidRuleInput.Water;
             input.Method = FluidMethodKind.Robust;
@@ -54,7 +54,8 @@ namespace SphFluid.Tests
                     double Short(double x, float length) => length > 0f ? x - length * Math.Round(x / length) : x;
                     var error = new Double3(Short(apart.X, period.x), Short(apart.Y, period.y), Short(apart.Z, period.z));
                     Assert.That(error.Length, Is.LessThan(2e-4 * Spacing), $"place of {i}");
-                    Assert.That(((Double3)after[k].VelT0 - reference.Velocities[i]).Length, Is.LessThan(2e-4 * Spacing / dt), $"velocity of {i}");
+                    Assert.That(((Double3)after[k].VelT0 - reference.Velocities[i]).Length, Is.LessThan(2e-4 * Spacing / dt),
+                        $"velocity of {i}");
                     Assert.That(pressures[k], Is.EqualTo(reference.Pressure(i)).Within(1e-3 * highest + 1e-3), $"pressure of {i}");
                 }
             }
@@ -66,7 +67,8 @@ namespace SphFluid.Tests
             FluidSolverSettings settings = Settings(new Vector3(0.4f, 0.5f, 0.3f));
             FluidParticle[] Run()
             {
-                using (StandardRig rig = new StandardRig(settings, ParticleSets.Lattice(new Vector3Int(7, 8, 5), Spacing, 0.2f * Spacing, 1)))
+                using (StandardRig rig =
+                    new StandardRig(settings, ParticleSets.Lattice(new Vector3Int(7, 8, 5), Spacing, 0.2f * Spacing, 1)))
                 {
                     for (int frame = 0; frame < 5; frame++) rig.Steps(4);
                     return rig.Particles();

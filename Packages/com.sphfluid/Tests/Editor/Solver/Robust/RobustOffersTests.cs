@@ -6,7 +6,7 @@ namespace SphFluid.Tests
     /// <summary>What the Robust method offers Automatic: as many substeps as the budget holds.</summary>
     public sealed class RobustOffersTests
     {
-        static readonly FluidMethod Robust = FluidMethods.Get(FluidMethodKind.Robust);
+        private static readonly FluidMethod Robust = FluidMethods.Get(FluidMethodKind.Robust);
 
         [TestCase(double.NaN, 4)]
         [TestCase(0.0, 4)]
@@ -64,10 +64,10 @@ namespace SphFluid.Tests
             Assert.That(Offer(deep, double.NaN).SoundSpeed, Is.LessThan(Offer(deep, double.NaN).LeastSoundSpeed));
         }
 
-        static MethodOffer Offer(FluidRuleInput input, double affordable) =>
+        private static MethodOffer Offer(FluidRuleInput input, double affordable) =>
             RobustOffers.For(Robust, new MethodQuestion { Input = input, FrameTime = 1.0 / 60.0, Affordable = affordable });
 
-        static FluidRuleInput Input()
+        private static FluidRuleInput Input()
         {
             FluidRuleInput input = FluidRuleInput.Water;
             (input.DomainSize, input.Spacing, input.LiquidHeight, input.LiquidDepth) = (Vector3.one, 0.02f, 0.1f, 0.1f);

@@ -16,13 +16,14 @@ namespace SphFluid.Tests
         [Explicit("The table of the paper Robust: half a minute.")]
         public void SoIsOneOfTwentyLayers(float timeStep, int iterations) => Check(timeStep, iterations, 20);
 
-        static void Check(float timeStep, int iterations, int layers)
+        private static void Check(float timeStep, int iterations, int layers)
         {
             using (RobustLiquid column = RobustLiquid.Column(timeStep, iterations, layers))
             {
                 double expected = 0.5 / Math.Pow(RobustRules.EffectiveSoundSpeed(column.Settings, timeStep, iterations), 2.0);
                 double compression = Settle(column, timeStep, out double speed);
-                TestContext.Out.WriteLine($"compression {compression:G4} for {expected:G4}, height {column.Height():0.000}, speed {speed:G3}");
+                TestContext.Out
+                    .WriteLine($"compression {compression:G4} for {expected:G4}, height {column.Height():0.000}, speed {speed:G3}");
                 Assert.That(compression, Is.EqualTo(expected).Within(10).Percent);
                 Assert.That(speed, Is.LessThan(0.03));
             }
@@ -37,13 +38,15 @@ namespace SphFluid.Tests
                 double total = RobustRules.EffectiveSoundSpeed(column.Settings, TimeStep, 2);
                 Assert.That(total, Is.LessThan(SoundSpeed));
                 double compression = Settle(column, TimeStep, out double speed);
-                TestContext.Out.WriteLine($"c {SoundSpeed}, total {total:G4}: compression {compression:G4} for {0.5 / (total * total):G4}, speed {speed:G3}");
+                TestContext.Out
+                    .WriteLine(
+                        $"c {SoundSpeed}, total {total:G4}: compression {compression:G4} for {0.5 / (total * total):G4}, speed {speed:G3}");
                 Assert.That(compression, Is.EqualTo(0.5 / (total * total)).Within(10).Percent);
             }
         }
 
         // Damped for 0.7 √(H/g), then free: the means of the last 1.4 of 3.5.
-        static double Settle(RobustLiquid column, float timeStep, out double speed)
+        private static double Settle(RobustLiquid column, float timeStep, out double speed)
         {
             int frame = Math.Max(1, (int)Math.Round(0.1 / timeStep));
             double compression = 0.0;

@@ -7,7 +7,7 @@ namespace SphFluid.Tests
     /// <summary>Liquid that is thrown about in a box neither gains energy nor leaves it, however few steps a frame has.</summary>
     public sealed class RobustStrengthTests
     {
-        const float Frame = 1f / 60f;
+        private const float Frame = 1f / 60f;
 
         [TestCase(4, 0.93)]
         [TestCase(1, 0.85)]
@@ -26,7 +26,10 @@ namespace SphFluid.Tests
                 }
                 FluidCounters counters = block.Solver.ReadCountersNow();
                 double height = block.Height() / (8.0 * block.Settings.Spacing);
-                TestContext.Out.WriteLine($"{substeps} substeps: most {most / start:0.0000} of the energy, height {height:0.000}, clamps {counters.DomainClamps}");
+                TestContext.Out
+                    .WriteLine(
+                        $"{substeps} substeps: most {most / start:0.0000} of the energy, height {height:0.000}, clamps " +
+                        $"{counters.DomainClamps}");
                 Assert.That(most / start, Is.LessThan(1.02));
                 Assert.That(counters.NonFinite, Is.Zero);
                 Assert.That(counters.DomainClamps, Is.Zero);

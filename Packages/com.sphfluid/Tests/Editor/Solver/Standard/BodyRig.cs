@@ -7,8 +7,8 @@ namespace SphFluid.Tests
     /// <summary>A liquid among colliders.</summary>
     internal sealed class BodyRig : IDisposable
     {
-        readonly ColliderRig colliders = new ColliderRig();
-        StandardRig liquid;
+        private readonly ColliderRig colliders = new ColliderRig();
+        private StandardRig liquid;
 
         public BodyRig(in FluidSolverSettings settings)
         {
@@ -26,7 +26,8 @@ namespace SphFluid.Tests
         public IReadOnlyList<FluidObstacle> Solids => colliders.Scene.Solids;
 
         /// <summary>By rule for water of a depth in a domain.</summary>
-        public static FluidSolverSettings Water(Vector3 domain, float spacing, float depth, float expectedSpeed = 0f, FluidMethodKind method = FluidMethodKind.Standard)
+        public static FluidSolverSettings Water(Vector3 domain, float spacing, float depth, float expectedSpeed = 0f,
+            FluidMethodKind method = FluidMethodKind.Standard)
         {
             FluidRuleInput input = FluidRuleInput.Water;
             input.Method = method;
@@ -48,7 +49,11 @@ namespace SphFluid.Tests
                 vertices[i] = corners[i];
                 indices[i] = i;
             }
-            var mesh = new Mesh { name = "Test Triangles", indexFormat = UnityEngine.Rendering.IndexFormat.UInt32, vertices = vertices, triangles = indices };
+            var mesh = new Mesh
+            {
+                name = "Test Triangles", indexFormat = UnityEngine.Rendering.IndexFormat.UInt32, vertices = vertices,
+                triangles = indices
+            };
             return colliders.AddMesh(mesh).transform;
         }
 

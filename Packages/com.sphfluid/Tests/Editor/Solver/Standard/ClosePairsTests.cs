@@ -8,7 +8,7 @@ namespace SphFluid.Tests
     /// <summary>Particles nearer than 0.6 dx where no pressure acts: they part, and nothing else changes.</summary>
     public sealed class ClosePairsTests
     {
-        const float Spacing = 0.05f;
+        private const float Spacing = 0.05f;
 
         [TestCase(0.3f)]
         [TestCase(0.01f)]
@@ -104,7 +104,7 @@ namespace SphFluid.Tests
             }
         }
 
-        static FluidSolverSettings Settings()
+        private static FluidSolverSettings Settings()
         {
             FluidSolverSettings settings = StandardStateRig.Water(new Vector3(2f, 1f, 1f), Spacing);
             settings.Gravity = Vector3.zero;
@@ -113,14 +113,14 @@ namespace SphFluid.Tests
         }
 
         // Two, the first seen from the second at d with v.
-        static FluidParticle[] Pair(Vector3 d, Vector3 v, Vector3 drift = default) => new[]
+        private static FluidParticle[] Pair(Vector3 d, Vector3 v, Vector3 drift = default) => new[]
         {
             new FluidParticle(0.5f * d, 0.5f * v + drift, 0u),
             new FluidParticle(-0.5f * d, -0.5f * v + drift, 1u),
         };
 
         // By id.
-        static FluidParticle[] Run(FluidParticle[] particles, int steps, in FluidSolverSettings settings)
+        private static FluidParticle[] Run(FluidParticle[] particles, int steps, in FluidSolverSettings settings)
         {
             using (var rig = new StandardRig(settings, particles))
             {
@@ -132,7 +132,7 @@ namespace SphFluid.Tests
         }
 
         // About z, of the pair about its middle.
-        static double Spin(FluidParticle[] pair)
+        private static double Spin(FluidParticle[] pair)
         {
             Double3 d = (Double3)pair[0].Position - pair[1].Position, v = (Double3)pair[0].VelT0 - pair[1].VelT0;
             return d.X * v.Y - d.Y * v.X;

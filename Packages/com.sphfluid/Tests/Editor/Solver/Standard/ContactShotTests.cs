@@ -8,8 +8,8 @@ namespace SphFluid.Tests
     /// <summary>Shots at triangles through the contact kernels: no path that they let pass hits a triangle.</summary>
     public sealed class ContactShotTests
     {
-        const float Spacing = 0.01f;
-        const int Shots = 1999;
+        private const float Spacing = 0.01f;
+        private const int Shots = 1999;
 
         // Triangles round a centre: soups with needles, flat pieces, duplicates and turned copies, fans, cut patches.
         internal static List<Vector3> Scene(int kind, Vector3 centre, System.Random random)
@@ -29,7 +29,8 @@ namespace SphFluid.Tests
             else if (kind == 1)
                 for (int fan = 0; fan < 4; fan++)
                 {
-                    Vector3 tip = At(), axis = ParticleSets.RandomVector(random).normalized, side = Vector3.Cross(axis, ParticleSets.RandomVector(random)).normalized;
+                    Vector3 tip = At(), axis = ParticleSets.RandomVector(random).normalized,
+                        side = Vector3.Cross(axis, ParticleSets.RandomVector(random)).normalized;
                     float length = Spacing * (1f + 8f * (float)random.NextDouble()), width = (float)random.NextDouble();
                     for (int i = 0; i < 20; i++)
                     {
@@ -39,16 +40,22 @@ namespace SphFluid.Tests
                 }
             else
             {
-                Vector3 u = 0.02f * ParticleSets.RandomVector(random).normalized, v = Vector3.Cross(u, ParticleSets.RandomVector(random)).normalized * 0.015f;
-                Vector3 Point(int x, int y) => centre + (x - 3) * u + (y - 3) * v + 0.02f * Mathf.Sin(x + 2f * y) * Vector3.Cross(u, v).normalized;
+                Vector3 u = 0.02f * ParticleSets.RandomVector(random).normalized,
+                    v = Vector3.Cross(u, ParticleSets.RandomVector(random)).normalized * 0.015f;
+                Vector3 Point(int x, int y) => centre + (x - 3) * u + (y - 3) * v +
+                    0.02f * Mathf.Sin(x + 2f * y) * Vector3.Cross(u, v).normalized;
                 for (int x = 0; x < 6; x++)
                     for (int y = 0; y < 6; y++)
-                        corners.AddRange(new[] { Point(x, y), Point(x + 1, y), Point(x, y + 1), Point(x + 1, y), Point(x + 1, y + 1), Point(x, y + 1) });
+                    {
+                        corners
+                            .AddRange(new[] { Point(x, y), Point(x + 1, y), Point(x, y + 1), Point(x + 1, y), Point(x + 1, y + 1),
+                                Point(x, y + 1) });
+                    }
             }
             return corners;
         }
 
-        static Vector3 Aim(IReadOnlyList<Vector3> corners, System.Random random)
+        private static Vector3 Aim(IReadOnlyList<Vector3> corners, System.Random random)
         {
             int t = 3 * random.Next(corners.Count / 3);
             float u = (float)random.NextDouble(), v = (float)random.NextDouble() * (1f - u);
@@ -97,8 +104,10 @@ namespace SphFluid.Tests
                         GpuTest.Run(cmd =>
                         {
                             walls.Record(cmd, state, state.Buffers.Positions);
-                            find.Record(cmd, state, new FluidStep(settings.TimeStep, settings.TimeStep, false), state.Buffers.PositionTerms);
-                            resolve.Record(cmd, state, new FluidStep(settings.TimeStep, settings.TimeStep, false), state.Buffers.PositionTerms);
+                            find.Record(cmd, state, new FluidStep(settings.TimeStep, settings.TimeStep, false),
+                                state.Buffers.PositionTerms);
+                            resolve.Record(cmd, state, new FluidStep(settings.TimeStep, settings.TimeStep, false),
+                                state.Buffers.PositionTerms);
                         });
                         Vector4[] end = GpuTest.Read<Vector4>(state.Buffers.NewPositions, Shots);
                         for (int i = 0; i < Shots; i++)
@@ -106,7 +115,8 @@ namespace SphFluid.Tests
                             shots++;
                             moved += end[i] == from[i] ? 0 : 1;
                             for (int t = 0; t < corners.Count; t += 3)
-                                if (MayIntersect(from[i], end[i], corners, t) && ExactGeometry.Intersects(from[i], end[i], corners[t], corners[t + 1], corners[t + 2]))
+                                if (MayIntersect(from[i], end[i], corners, t) &&
+                                    ExactGeometry.Intersects(from[i], end[i], corners[t], corners[t + 1], corners[t + 2]))
                                 {
                                     escapes++;
                                     break;
@@ -140,15 +150,17 @@ namespace SphFluid.Tests
             to = p + length * (target - p).normalized;
         }
 
-        static double Nearest(List<Vector3> corners, Vector3 p)
+        private static double Nearest(List<Vector3> corners, Vector3 p)
         {
             double nearest = double.MaxValue;
             for (int t = 0; t < corners.Count; t += 3)
+            {
                 nearest = System.Math.Min(nearest, ExactGeometry.Distance(p, corners[t], corners[t + 1], corners[t + 2]));
+            }
             return nearest;
         }
 
-        static bool MayIntersect(Vector3 p, Vector3 q, List<Vector3> corners, int t)
+        private static bool MayIntersect(Vector3 p, Vector3 q, List<Vector3> corners, int t)
         {
             for (int axis = 0; axis < 3; axis++)
             {

@@ -9,14 +9,14 @@ namespace SphFluid.Tests
     /// <summary>Where contact puts single particles at walls of known shape.</summary>
     public sealed class ContactStepTests
     {
-        const float Spacing = 0.02f, Rest = 0.1f * Spacing;
+        private const float Spacing = 0.02f, Rest = 0.1f * Spacing;
 
         // Ends of steps among triangles that rest.
-        static Vector3[] Resolve(IReadOnlyList<Vector3> corners, Vector3[] from, Vector3[] to, out FluidCounters counters) =>
+        private static Vector3[] Resolve(IReadOnlyList<Vector3> corners, Vector3[] from, Vector3[] to, out FluidCounters counters) =>
             Resolve(corners, from, to, out counters, out _);
 
         // listed: particles that FindContacts left to ResolveContacts.
-        static Vector3[] Resolve(
+        private static Vector3[] Resolve(
             IReadOnlyList<Vector3> corners, Vector3[] from, Vector3[] to, out FluidCounters counters, out uint listed)
         {
             FluidSolverSettings settings = BodyRig.Water(Vector3.one, Spacing, 0.3f);
@@ -41,7 +41,7 @@ namespace SphFluid.Tests
             }
         }
 
-        static Vector3[] Step(BodyRig rig, FluidShaderSet set, Vector3[] from, Vector3[] to)
+        private static Vector3[] Step(BodyRig rig, FluidShaderSet set, Vector3[] from, Vector3[] to)
         {
             StandardState state = rig.State;
             float timeStep = rig.Settings.TimeStep;
@@ -60,7 +60,8 @@ namespace SphFluid.Tests
             return GpuTest.Read<Vector4>(state.Buffers.NewPositions, from.Length).Select(p => (Vector3)p).ToArray();
         }
 
-        static readonly Vector3[] floor = { new Vector3(-0.4f, 0f, -0.4f), new Vector3(0f, 0f, 0.4f), new Vector3(0.4f, 0f, -0.4f) };
+        private static readonly Vector3[] floor = { new Vector3(-0.4f, 0f, -0.4f), new Vector3(0f, 0f, 0.4f),
+            new Vector3(0.4f, 0f, -0.4f) };
 
         [TestCase(0.3f, 0.4f)]
         [TestCase(0.5f, 0.6f)]
@@ -91,11 +92,15 @@ namespace SphFluid.Tests
             var corners = new List<Vector3>();
             for (int axis = 0; axis < 3; axis++)
                 foreach (Vector3 p in new[] { new Vector3(0f, -0.3f, -0.3f), new Vector3(0f, 0.8f, -0.3f), new Vector3(0f, -0.3f, 0.8f) })
+                {
                     corners.Add(axis == 0 ? p : axis == 1 ? new Vector3(p.z, p.x, p.y) : new Vector3(p.y, p.z, p.x));
+                }
             Vector3 from = Rest * new Vector3(0.5f, 0.54f, 0.58f);
             Vector3 end = Resolve(corners, new[] { from }, new[] { from - 0.003f * Vector3.one }, out FluidCounters counters)[0];
             for (int axis = 0; axis < 3; axis++)
+            {
                 Assert.That(end[axis] / Rest, Is.EqualTo(from[axis] / Rest + 0.1f).Within(2e-3f), $"axis {axis}");
+            }
             Assert.That(counters.ContactFallbacks, Is.Zero);
         }
 
@@ -106,7 +111,8 @@ namespace SphFluid.Tests
         public void OnlyTrianglesOfCellsAlongAStepMakeItAContact(float shift, uint expected)
         {
             const float length = 0.98f * 8f * Spacing / 1.4142f;
-            Vector3 along = length * new Vector3(1f, 1f, 0f), corner = length * new Vector3(0.96f, 0.04f, 0f), size = 0.02f * length * Vector3.one;
+            Vector3 along = length * new Vector3(1f, 1f, 0f), corner = length * new Vector3(0.96f, 0.04f, 0f),
+                size = 0.02f * length * Vector3.one;
             var side = new Vector3(size.x, -size.x, 0f);
             var corners = new[] { corner - side, corner + side, corner + new Vector3(0f, 0f, size.z) };
             Vector3 from = shift * (corner - 0.5f * along) + 0.1f * size.z * Vector3.forward;
@@ -167,7 +173,10 @@ namespace SphFluid.Tests
             float slope = Mathf.Tan(Mathf.Deg2Rad);
             var corners = new List<Vector3>();
             foreach (float side in new[] { -1f, 1f })
-                corners.AddRange(new[] { new Vector3(0f, 0f, -0.4f), new Vector3(0f, 0f, 0.4f), new Vector3(0.4f * slope * side, 0.4f, 0f) });
+            {
+                corners
+                    .AddRange(new[] { new Vector3(0f, 0f, -0.4f), new Vector3(0f, 0f, 0.4f), new Vector3(0.4f * slope * side, 0.4f, 0f) });
+            }
             var from = new Vector3[count];
             var to = new Vector3[count];
             for (int i = 0; i < count; i++)

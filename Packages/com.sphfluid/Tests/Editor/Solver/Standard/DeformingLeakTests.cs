@@ -5,14 +5,18 @@ using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>A closed skin that waves with liquid on both sides of it: nothing crosses. Who is where is found from corners and places alone.</summary>
+    /// <summary>
+    /// A closed skin that waves with liquid on both sides of it: nothing crosses. Who is where is found from corners and places alone.
+    /// </summary>
     public sealed class DeformingLeakTests
     {
-        const float Spacing = 0.03f, Radius = 0.2f, Hertz = 3f;
+        private const float Spacing = 0.03f, Radius = 0.2f, Hertz = 3f;
 
         // By a fifth of the radius, in waves that run round the ball.
-        static TriangleMesh Waved(TriangleMesh ball, float time) => ball.Deformed(ball.Vertices
-            .Select(v => (1f + 0.2f * Mathf.Sin(2f * Mathf.PI * Hertz * time + 4f * Mathf.Atan2(v.z, v.x) + 5f * v.y / Radius) * Mathf.Min(1f, 2f * new Vector2(v.x, v.z).magnitude / Radius)) * v)
+        private static TriangleMesh Waved(TriangleMesh ball, float time) => ball.Deformed(ball.Vertices
+            .Select(v =>
+                (1f + 0.2f * Mathf.Sin(2f * Mathf.PI * Hertz * time + 4f * Mathf.Atan2(v.z, v.x) + 5f * v.y / Radius) *
+                    Mathf.Min(1f, 2f * new Vector2(v.x, v.z).magnitude / Radius)) * v)
             .ToArray());
 
         // In fewer steps a frame than the liquid's own the skin is that much faster to it.
@@ -27,7 +31,8 @@ namespace SphFluid.Tests
             TriangleMesh ball = PrimitiveTessellator.Capsule(Matrix4x4.identity, Radius, 0f, chordError), skin = Waved(ball, 0f);
             Assert.That(skin.IsClosed);
             Vector3Int counts = dense ? new Vector3Int(17, 12, 17) : new Vector3Int(6, 7, 6);
-            FluidParticle[] water = FloatingRig.Block(counts, dense ? Spacing : 3f * Spacing, -0.5f * domain).Where(p => !skin.IsNear(p.Position, 0.45f * Spacing)).ToArray();
+            FluidParticle[] water = FloatingRig.Block(counts, dense ? Spacing : 3f * Spacing, -0.5f * domain)
+                .Where(p => !skin.IsNear(p.Position, 0.45f * Spacing)).ToArray();
             for (int i = 0; i < water.Length; i++) water[i].Id = (uint)i;
             bool[] inside = water.Select(p => skin.Contains(p.Position)).ToArray();
             Assert.That(inside.Count(b => b), Is.GreaterThan(dense ? 100 : 15));
@@ -55,7 +60,11 @@ namespace SphFluid.Tests
                         if (now.Contains(water[i].Position) != inside[i]) passed.Add(i);
                 }
                 FluidCounters counters = liquid.Solver.ReadCountersNow();
-                TestContext.WriteLine($"{skin.TriangleCount} triangles, {water.Length} particles, {inside.Count(b => b)} inside, the skin passed the first place of {passed.Count}, {crossed.Count} crossed, contacts {counters.Contacts}, fell back {counters.ContactFallbacks}, squeezed {counters.Squeezed}, overlaps {counters.Overlaps}, shortened {counters.ShortenedSteps}");
+                TestContext.WriteLine(
+                    $"{skin.TriangleCount} triangles, {water.Length} particles, {inside.Count(b => b)} inside, the skin passed the first " +
+                    $"place of {passed.Count}, {crossed.Count} crossed, contacts {counters.Contacts}, fell back " +
+                    $"{counters.ContactFallbacks}, squeezed {counters.Squeezed}, overlaps {counters.Overlaps}, shortened " +
+                    $"{counters.ShortenedSteps}");
                 Assert.That(obstacles.Jumps, Is.Zero);
                 Assert.That(counters.NonFinite, Is.Zero);
                 Assert.That(passed.Count, Is.GreaterThan(inside.Count(b => b) / 10), "where the skin passes there was liquid");

@@ -8,15 +8,17 @@ namespace SphFluid.Tests
     /// <summary>GatherWalls: the walls that particles feel of triangles that deform.</summary>
     public sealed class DeformingWallsTests
     {
-        const float Spacing = 0.05f;
+        private const float Spacing = 0.05f;
 
-        // Between corners that go different ways the wall has the mean of their velocities by the place's weights; at half of the frame it is halfway.
+        // Between corners that go different ways the wall has the mean of their velocities by the place's weights; at half of the frame it
+        // is halfway.
         [Test]
         public void ASheetThatDeformsHasThePlacesAndVelocitiesOfItsCorners()
         {
             FluidSolverSettings settings = BodyRig.Water(Vector3.one, Spacing, 0.3f);
             var corners = new List<Vector3>();
-            GatherWallsTests.Sheet(corners, p => new Vector3(0.8f * p.x - 0.4f, 0.02f * Mathf.Sin(9f * p.x + 4f * p.y), 0.8f * p.y - 0.4f), 5, false);
+            GatherWallsTests.Sheet(corners, p => new Vector3(0.8f * p.x - 0.4f, 0.02f * Mathf.Sin(9f * p.x + 4f * p.y), 0.8f * p.y - 0.4f),
+                5, false);
             Vector3 Moved(Vector3 p) => p + 0.03f * new Vector3(Mathf.Sin(7f * p.z), Mathf.Cos(5f * p.x + 3f * p.z), Mathf.Sin(6f * p.x));
             using (var rig = new BodyRig(settings))
             {
@@ -38,7 +40,8 @@ namespace SphFluid.Tests
                     float nearest = settings.SupportRadius;
                     for (int t = 0; t < corners.Count; t += 3)
                     {
-                        Vector3[] half = { 0.5f * (corners[t] + Moved(corners[t])), 0.5f * (corners[t + 1] + Moved(corners[t + 1])), 0.5f * (corners[t + 2] + Moved(corners[t + 2])) };
+                        Vector3[] half = { 0.5f * (corners[t] + Moved(corners[t])), 0.5f * (corners[t + 1] + Moved(corners[t + 1])),
+                            0.5f * (corners[t + 2] + Moved(corners[t + 2])) };
                         Vector3 foot = TriangleMath.ClosestPoint(at[i], half[0], half[1], half[2]);
                         if (((Vector3)at[i] - foot).magnitude >= nearest) continue;
                         nearest = ((Vector3)at[i] - foot).magnitude;
@@ -70,7 +73,8 @@ namespace SphFluid.Tests
             using (var obstacles = new FluidObstacles(settings))
             using (var liquid = new StandardRig(settings, new[] { new FluidParticle(0.02f * Vector3.up, Vector3.zero, 0u) }))
             {
-                int sheet = obstacles.Add(At(0f), Matrix4x4.identity), other = obstacles.Add(TriangleMesh.Box(Matrix4x4.Scale(0.1f * Vector3.one)), Matrix4x4.Translate(0.4f * Vector3.up));
+                int sheet = obstacles.Add(At(0f), Matrix4x4.identity),
+                    other = obstacles.Add(TriangleMesh.Box(Matrix4x4.Scale(0.1f * Vector3.one)), Matrix4x4.Translate(0.4f * Vector3.up));
                 foreach (float far in new[] { 100f * settings.SupportRadius, 99f * settings.SupportRadius })
                 {
                     obstacles.Reshape(sheet, At(far));

@@ -7,10 +7,10 @@ namespace SphFluid.Tests
     /// <summary>Triangles act within reach of the kernel only.</summary>
     public sealed class FarMeshTests
     {
-        const float Spacing = 0.05f;
-        const int Steps = 8;
+        private const float Spacing = 0.05f;
+        private const int Steps = 8;
 
-        static readonly Vector3[] Directions =
+        private static readonly Vector3[] Directions =
         {
             Vector3.right, Vector3.left, Vector3.up, Vector3.down, Vector3.forward, Vector3.back,
         };
@@ -29,14 +29,13 @@ namespace SphFluid.Tests
             }
         }
 
-        static FluidParticle[] Fly(FluidParticle[] start, bool mesh)
+        private static FluidParticle[] Fly(FluidParticle[] start, bool mesh)
         {
             FluidSolverSettings settings = BodyRig.Water(2f * Vector3.one, Spacing, 0.5f, 1f);
             settings.Gravity = Vector3.zero;
             using (var rig = new BodyRig(settings))
             {
-                if (mesh)
-                    rig.AddBox(new Vector3(0.3f, 0.2f, 0.3f)).position = new Vector3(0.1f, -0.7f, -0.1f);
+                if (mesh) rig.AddBox(new Vector3(0.3f, 0.2f, 0.3f)).position = new Vector3(0.1f, -0.7f, -0.1f);
                 rig.Start(start);
                 rig.Frame(Steps);
                 return rig.Particles().OrderBy(p => p.Id).ToArray();

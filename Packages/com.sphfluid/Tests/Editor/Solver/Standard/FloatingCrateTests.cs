@@ -11,7 +11,8 @@ namespace SphFluid.Tests
         [TestCase(0.1f)] // FloatingRigidbodyTests has a heavier one
         public void ACrateFloatsUprightAsDeepAsItIsHeavy(float ratio)
         {
-            using (var tank = new FloatingTank(0.06f, 13, 9, 0.3f * new Vector3(1.5f, 1f, 1.5f), ratio, 0.3f * (0.55f - ratio), Quaternion.Euler(5f, 0f, 3f)))
+            using (var tank = new FloatingTank(0.06f, 13, 9, 0.3f * new Vector3(1.5f, 1f, 1.5f), ratio, 0.3f * (0.55f - ratio),
+                Quaternion.Euler(5f, 0f, 3f)))
             {
                 tank.Play(1.3);
                 string figures = tank.Figures(0.5);

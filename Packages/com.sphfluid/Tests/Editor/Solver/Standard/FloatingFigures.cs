@@ -7,15 +7,16 @@ using UnityEngine;
 namespace SphFluid.Tests
 {
     /// <summary>
-    /// The figures of the manual's page on floating bodies: minutes on a software device, so they run by name only. Tanks are four crates wide.
+    /// The figures of the manual's page on floating bodies: minutes on a software device, so they run by name only. Tanks are four crates
+    /// wide.
     /// </summary>
     [Explicit("Takes minutes.")]
     public sealed class FloatingFigures
     {
-        const float Spacing = 0.03f, Height = 0.32f, Width = 0.48f;
-        const int Across = 64, Deep = 20;
+        private const float Spacing = 0.03f, Height = 0.32f, Width = 0.48f;
+        private const int Across = 64, Deep = 20;
 
-        static readonly Vector3 Crate = new Vector3(Width, Height, Width);
+        private static readonly Vector3 Crate = new Vector3(Width, Height, Width);
 
         [TestCase(0.25f)]
         [TestCase(0.5f)]
@@ -30,8 +31,9 @@ namespace SphFluid.Tests
             }
         }
 
-        // Periods of potential flow about the box in this tank, whose surface has no pressure and rises by what the box displaces: the added mass is 34.0,
-        // 37.0 and 39.7 kg by finite differences of 2 cm. The crate is held until the water is calm and let go above its draught.
+        // Periods of potential flow about the box in this tank, whose surface has no pressure and rises by what the box displaces: the
+        // added mass is 34.0, 37.0 and 39.7 kg by finite differences of 2 cm. The crate is held until the water is calm and let go above
+        // its draught.
         [TestCase(0.25f, 0.926)]
         [TestCase(0.5f, 1.100)]
         [TestCase(0.75f, 1.247)]
@@ -49,7 +51,9 @@ namespace SphFluid.Tests
                 int lowest = Extreme(heights, 0, (int)(0.8 * period / FloatingTank.FrameTime), -1.0);
                 int highest = Extreme(heights, lowest, heights.Count - 1, 1.0);
                 double found = 2.0 * lowest * FloatingTank.FrameTime; // later the waves that it made have a part in it
-                TestContext.WriteLine($"{tank.Figures(0.5)}, lowest {lowest * FloatingTank.FrameTime:f3} s after the release at {heights[lowest]:f4} m, highest after {highest * FloatingTank.FrameTime:f3} s at {heights[highest]:f4} m: " +
+                TestContext.WriteLine(
+                    $"{tank.Figures(0.5)}, lowest {lowest * FloatingTank.FrameTime:f3} s after the release at {heights[lowest]:f4} m, " +
+                    $"highest after {highest * FloatingTank.FrameTime:f3} s at {heights[highest]:f4} m: " +
                     $"period {found:f3} s, of potential flow {period:f3} s");
                 Assert.That(found, Is.EqualTo(period).Within(0.12 * period));
             }
@@ -59,7 +63,8 @@ namespace SphFluid.Tests
         [TestCase(0.1f)]
         public void ALightCrateLiesCalm(float ratio)
         {
-            using (var tank = new FloatingTank(0.06f, 24, 10, 0.3f * new Vector3(1.5f, 1f, 1.5f), ratio, 0.3f * (0.55f - ratio), Quaternion.Euler(5f, 0f, 3f)))
+            using (var tank = new FloatingTank(0.06f, 24, 10, 0.3f * new Vector3(1.5f, 1f, 1.5f), ratio, 0.3f * (0.55f - ratio),
+                Quaternion.Euler(5f, 0f, 3f)))
             {
                 tank.Play(3.0);
                 TestContext.WriteLine(tank.Figures(1.0));
@@ -92,7 +97,9 @@ namespace SphFluid.Tests
                 tank.Hold();
                 tank.Play(3.0);
                 double force = tank.Late(1.5, s => s.Impulse.y / s.Time) / tank.Buoyancy;
-                TestContext.WriteLine($"force over buoyancy {force:f4} over the last 1.5 s, {tank.Late(0.5, s => s.Impulse.y / s.Time) / tank.Buoyancy:f4} over the last 0.5 s, moved {tank.States.Last().Centre.y + 0.5f} m");
+                TestContext.WriteLine(
+                    $"force over buoyancy {force:f4} over the last 1.5 s, {tank.Late(0.5, s => s.Impulse.y / s.Time) / tank.Buoyancy:f4} " +
+                    $"over the last 0.5 s, moved {tank.States.Last().Centre.y + 0.5f} m");
                 Assert.That(force, Is.EqualTo(1.0).Within(0.03));
             }
         }
@@ -106,8 +113,13 @@ namespace SphFluid.Tests
                 double rest = tank.Late(1.0, s => s.Centre.y);
                 int above = 0;
                 for (int i = 1; i < tank.States.Count; i++)
-                    above += tank.States[i].Centre.y - 0.5f * tank.Size.y > tank.Level && !(tank.States[i - 1].Centre.y - 0.5f * tank.Size.y > tank.Level) ? 1 : 0;
-                TestContext.WriteLine($"{tank.Figures(1.0)}, highest {tank.States.Max(s => s.Centre.y) - tank.Level:f3} m above the level, its underside out of the water {above} times");
+                {
+                    above += tank.States[i].Centre.y - 0.5f * tank.Size.y > tank.Level &&
+                        !(tank.States[i - 1].Centre.y - 0.5f * tank.Size.y > tank.Level) ? 1 : 0;
+                }
+                TestContext.WriteLine(
+                    $"{tank.Figures(1.0)}, highest {tank.States.Max(s => s.Centre.y) - tank.Level:f3} m above the level, its underside " +
+                    $"out of the water {above} times");
                 Assert.That(above, Is.LessThanOrEqualTo(1));
                 Assert.That(tank.States.Max(s => s.Centre.y), Is.GreaterThan(rest + 0.05 * tank.Size.y));
                 Assert.That(tank.Draught(1.0), Is.EqualTo(0.2).Within(0.3 * 0.04 / 0.2));
@@ -115,10 +127,11 @@ namespace SphFluid.Tests
         }
 
         // Means of five frames.
-        static List<double> Smooth(IReadOnlyList<double> series) =>
-            Enumerable.Range(0, series.Count).Select(i => Enumerable.Range(i - 2, 5).Where(k => k >= 0 && k < series.Count).Average(k => series[k])).ToList();
+        private static List<double> Smooth(IReadOnlyList<double> series) =>
+            Enumerable.Range(0, series.Count)
+                .Select(i => Enumerable.Range(i - 2, 5).Where(k => k >= 0 && k < series.Count).Average(k => series[k])).ToList();
 
-        static int Extreme(IReadOnlyList<double> series, int from, int to, double sign) =>
+        private static int Extreme(IReadOnlyList<double> series, int from, int to, double sign) =>
             Enumerable.Range(from, Math.Min(to, series.Count - 1) - from + 1).OrderByDescending(i => sign * series[i]).First();
     }
 }

@@ -7,8 +7,8 @@ namespace SphFluid.Tests
     /// <summary>A liquid of the Standard method with rigid bodies that it moves.</summary>
     internal sealed class FloatingRig : IDisposable
     {
-        readonly FluidObstacles obstacles;
-        readonly StandardRig liquid;
+        private readonly FluidObstacles obstacles;
+        private readonly StandardRig liquid;
 
         public FloatingRig(in FluidSolverSettings settings, FluidParticle[] particles)
         {

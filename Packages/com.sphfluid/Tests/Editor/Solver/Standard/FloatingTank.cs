@@ -10,10 +10,10 @@ namespace SphFluid.Tests
     {
         public const double FrameTime = 1.0 / 60.0;
 
-        readonly FloatingRig rig;
-        readonly FluidSolverSettings settings;
-        readonly int particles, steps;
-        readonly float volume;
+        private readonly FloatingRig rig;
+        private readonly FluidSolverSettings settings;
+        private readonly int particles, steps;
+        private readonly float volume;
 
         /// <param name="spacing">Particle spacing [m].</param>
         /// <param name="across">Particles across the tank.</param>
@@ -23,14 +23,16 @@ namespace SphFluid.Tests
         /// <param name="height">Of its centre above the water's level without it [m].</param>
         /// <param name="rotation">Of the box.</param>
         /// <param name="method">What computes the water.</param>
-        public FloatingTank(float spacing, int across, int deep, Vector3 size, float ratio, float height, Quaternion rotation, FluidMethodKind method = FluidMethodKind.Standard)
+        public FloatingTank(float spacing, int across, int deep, Vector3 size, float ratio, float height, Quaternion rotation,
+            FluidMethodKind method = FluidMethodKind.Standard)
         {
             var domain = new Vector3(across * spacing, 2 * deep * spacing, across * spacing);
             settings = BodyRig.Water(domain, spacing, deep * spacing, 0f, method);
             var centre = new Vector3(0f, height, 0f);
             Vector3 half = 0.5f * size + 0.5f * spacing * Vector3.one;
             FluidParticle[] block = FloatingRig.Block(new Vector3Int(across, deep, across), spacing, -0.5f * domain)
-                .Where(p => Mathf.Abs(p.Position.x) > half.x || Mathf.Abs(p.Position.z) > half.z || Mathf.Abs(p.Position.y - centre.y) > half.y).ToArray();
+                .Where(p => Mathf.Abs(p.Position.x) > half.x || Mathf.Abs(p.Position.z) > half.z ||
+                    Mathf.Abs(p.Position.y - centre.y) > half.y).ToArray();
             for (int i = 0; i < block.Length; i++) block[i].Id = (uint)i;
             particles = block.Length;
             steps = Mathf.CeilToInt((float)FrameTime / settings.TimeStep - 1e-4f);
@@ -50,7 +52,10 @@ namespace SphFluid.Tests
 
         public FluidSolver Solver => rig.Solver;
 
-        /// <summary>Level of the water with the box afloat in it, by its mass [m]: at rest particles are packed a fiftieth denser than on the lattice that they start from.</summary>
+        /// <summary>
+        /// Level of the water with the box afloat in it, by its mass [m]: at rest particles are packed a fiftieth denser than on the
+        /// lattice that they start from.
+        /// </summary>
         public double Level
         {
             get
@@ -60,14 +65,18 @@ namespace SphFluid.Tests
             }
         }
 
-        /// <summary>Level of the water as it is seen [m]: half a spacing above the highest particles of columns two spacings wide, away from the box.</summary>
+        /// <summary>
+        /// Level of the water as it is seen [m]: half a spacing above the highest particles of columns two spacings wide, away from the
+        /// box.
+        /// </summary>
         public double SeenLevel
         {
             get
             {
                 double width = 2.0 * settings.Spacing, away = 0.75 * Size.x;
                 return rig.Particles().Where(p => Math.Max(Math.Abs(p.Position.x), Math.Abs(p.Position.z)) > away)
-                    .GroupBy(p => (Math.Floor(p.Position.x / width), Math.Floor(p.Position.z / width))).Average(c => c.Max(p => p.Position.y)) + 0.5 * settings.Spacing;
+                    .GroupBy(p => (Math.Floor(p.Position.x / width), Math.Floor(p.Position.z / width)))
+                    .Average(c => c.Max(p => p.Position.y)) + 0.5 * settings.Spacing;
             }
         }
 
@@ -87,7 +96,8 @@ namespace SphFluid.Tests
         }
 
         /// <summary>Mean of the last frames.</summary>
-        public double Late(double seconds, Func<FloatingState, double> value) => States.Skip(States.Count - (int)(seconds / FrameTime)).Average(value);
+        public double Late(double seconds, Func<FloatingState, double> value) =>
+            States.Skip(States.Count - (int)(seconds / FrameTime)).Average(value);
 
         /// <summary>Part of its height that the box is under water, over the last frames.</summary>
         public double Draught(double seconds) => (Level - Late(seconds, s => s.Centre.y) + 0.5 * Size.y) / Size.y;
@@ -101,8 +111,11 @@ namespace SphFluid.Tests
         public string Figures(double seconds)
         {
             FluidCounters counters = rig.Solver.ReadCountersNow();
-            return $"{particles} particles, {steps} steps a frame of {settings.TimeStep:g3} s: draught {Draught(seconds):f4} of {Ratio}, {Draught(seconds) + (SeenLevel - Level) / Size.y:f4} below the level as it is seen, tilt {Tilt:f2} deg, late v_rms {Speed(seconds):g3} m/s, " +
-                $"contacts {counters.Contacts}, squeezed {counters.Squeezed}, limits {counters.ImpulseLimits}, at {States[States.Count - 1].Centre}";
+            return $"{particles} particles, {steps} steps a frame of {settings.TimeStep:g3} s: draught {Draught(seconds):f4} of {Ratio}, " +
+                $"{Draught(seconds) + (SeenLevel - Level) / Size.y:f4} below the level as it is seen, tilt {Tilt:f2} deg, late v_rms " +
+                $"{Speed(seconds):g3} m/s, " +
+                $"contacts {counters.Contacts}, squeezed {counters.Squeezed}, limits {counters.ImpulseLimits}, at " +
+                $"{States[States.Count - 1].Centre}";
         }
 
         public void Dispose() => rig.Dispose();

@@ -6,13 +6,13 @@ using UnityEngine;
 namespace SphFluid.Tests
 {
     /// <summary>
-    /// A block of liquid thrown at the free edge of a sheet, without gravity and viscosity: what it has of its kinetic energy after it has been parted,
-    /// when nothing presses any more. With short steps, so that the time step adds nothing.
+    /// A block of liquid thrown at the free edge of a sheet, without gravity and viscosity: what it has of its kinetic energy after it has
+    /// been parted, when nothing presses any more. With short steps, so that the time step adds nothing.
     /// </summary>
     public sealed class FreeEdgeEnergyTests
     {
-        const float Spacing = 0.02f;
-        const float Speed = 2f;
+        private const float Spacing = 0.02f;
+        private const float Speed = 2f;
 
         // Head-on, off the middle, and from an irregular start. What is given: 1 + the share of energy that comes from nowhere.
         [TestCase(0f, 0f)]
@@ -26,16 +26,18 @@ namespace SphFluid.Tests
             Assert.That(fastest, Is.LessThan(2.5), "drops do not leave faster than a jet is turned");
         }
 
-        static double EnergyRatio(float stepShare, float jitter, float shift, out double fastest)
+        private static double EnergyRatio(float stepShare, float jitter, float shift, out double fastest)
         {
             FluidSolverSettings settings = BodyRig.Water(new Vector3(100f, 60f, 60f) * Spacing, Spacing, 0.01f, Speed);
             settings.Gravity = Vector3.zero;
             settings.Viscosity = 0f;
             settings.TimeStep *= stepShare;
             FluidParticle[] start = ParticleSets.Lattice(new Vector3Int(5, 13, 5), Spacing, jitter * Spacing, 4)
-                .Select((p, i) => new FluidParticle(p.Position + Spacing * new Vector3(shift, 8.5f, 0f), Speed * Vector3.down, (uint)i)).ToArray();
+                .Select((p, i) => new FluidParticle(p.Position + Spacing * new Vector3(shift, 8.5f, 0f), Speed * Vector3.down, (uint)i))
+                .ToArray();
             float wide = 35f * Spacing, deep = -40f * Spacing;
-            Vector3 a = new Vector3(0f, 0f, -wide), b = new Vector3(0f, 0f, wide), c = new Vector3(0f, deep, wide), d = new Vector3(0f, deep, -wide);
+            Vector3 a = new Vector3(0f, 0f, -wide), b = new Vector3(0f, 0f, wide), c = new Vector3(0f, deep, wide),
+                d = new Vector3(0f, deep, -wide);
             using (var rig = new BodyRig(settings))
             {
                 rig.Add(new[] { a, b, c, a, c, d });

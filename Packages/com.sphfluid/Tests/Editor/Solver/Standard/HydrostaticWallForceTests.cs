@@ -9,8 +9,8 @@ namespace SphFluid.Tests
     /// <summary>Pressure of water at rest on floor, side wall, mesh and a box under water, by the force on the wall.</summary>
     public sealed class HydrostaticWallForceTests
     {
-        const float Spacing = 0.025f;
-        const int Deep = 14;
+        private const float Spacing = 0.025f;
+        private const int Deep = 14;
 
         // The faces of a small box within ten: near its edges liquid is held by both faces, beyond the rectangle.
         [Test]
@@ -20,7 +20,7 @@ namespace SphFluid.Tests
         [Explicit("The table of the paper Standard: half a minute.")]
         public void SoTheyAreForLonger() => Check(0.6, 0.4);
 
-        static void Check(double settling, double mean)
+        private static void Check(double settling, double mean)
         {
             // The last two spacings along x are a mesh's, the box is five wide.
             var domain = Spacing * new Vector3(20f, Deep + 3f, 12f);
@@ -29,12 +29,16 @@ namespace SphFluid.Tests
             Vector3 box = 5f * Spacing * Vector3.one, centre = new Vector3(-Spacing, -0.5f * domain.y + 6.5f * Spacing, 0f);
             Vector3 clear = 0.5f * box + 0.4f * Spacing * Vector3.one;
             FluidParticle[] water = WallForceRig.Block(new Vector3Int(18, Deep, 12), Spacing, -0.5f * domain, Vector3.zero)
-                .Where(p => Mathf.Abs(p.Position.x - centre.x) > clear.x || Mathf.Abs(p.Position.y - centre.y) > clear.y || Mathf.Abs(p.Position.z) > clear.z).ToArray();
+                .Where(p => Mathf.Abs(p.Position.x - centre.x) > clear.x || Mathf.Abs(p.Position.y - centre.y) > clear.y ||
+                    Mathf.Abs(p.Position.z) > clear.z).ToArray();
             for (int i = 0; i < water.Length; i++) water[i].Id = (uint)i;
             using (var rig = new WallForceRig(settings, water))
             {
                 float face = 0.5f * domain.x - 2f * Spacing, floor = -0.5f * domain.y;
-                rig.Obstacles.Add(TriangleMesh.Box(Matrix4x4.TRS(new Vector3(face + 2f * Spacing, 0f, 0f), Quaternion.identity, new Vector3(4f * Spacing, 2f * domain.y, 2f * domain.z))), Matrix4x4.identity);
+                rig.Obstacles
+                    .Add(
+                        TriangleMesh.Box(Matrix4x4.TRS(new Vector3(face + 2f * Spacing, 0f, 0f), Quaternion.identity,
+                            new Vector3(4f * Spacing, 2f * domain.y, 2f * domain.z))), Matrix4x4.identity);
                 rig.Obstacles.Add(TriangleMesh.Box(Matrix4x4.TRS(centre, Quaternion.identity, box)), Matrix4x4.identity);
                 float middle = floor + 5f * Spacing;
                 var patches = new Dictionary<string, WallPatch>
@@ -58,7 +62,8 @@ namespace SphFluid.Tests
                     foreach (WallPatch patch in patches.Values) particles[patch] += rig.Shepard(now, pressures, patch.Centre) / turns;
                 }
                 double area = (double)(domain.x - 2f * Spacing) * domain.z;
-                double level = floor + (water.Length * (double)settings.ParticleMass / settings.RestDensity + (double)box.x * box.y * box.z) / area;
+                double level = floor +
+                    (water.Length * (double)settings.ParticleMass / settings.RestDensity + (double)box.x * box.y * box.z) / area;
                 var figures = new List<string>();
                 bool within = true;
                 foreach (KeyValuePair<string, WallPatch> patch in patches)

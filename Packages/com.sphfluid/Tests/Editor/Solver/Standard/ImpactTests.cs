@@ -8,10 +8,11 @@ namespace SphFluid.Tests
     /// <summary>Liquid that is stopped at once: what compression stores is lost and not given back.</summary>
     public sealed class ImpactTests
     {
-        const float Spacing = 0.03f;
-        const float Fall = 0.2f;
+        private const float Spacing = 0.03f;
+        private const float Fall = 0.2f;
 
-        // Three layers, as wide as the tank, so that none can get out of the way. Without the loss the centre comes back by 0.87 of the fall.
+        // Three layers, as wide as the tank, so that none can get out of the way. Without the loss the centre comes back by 0.87 of the
+        // fall.
         [Test]
         public void ASlabThatFallsFlatReboundsByLessThanHalfOfItsFall()
         {

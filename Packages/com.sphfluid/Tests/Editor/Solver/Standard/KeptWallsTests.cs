@@ -6,7 +6,7 @@ namespace SphFluid.Tests
     /// <summary>When GatherWalls finds a particle's walls anew, and when those of an earlier step serve.</summary>
     public sealed class KeptWallsTests
     {
-        const float Spacing = 0.05f;
+        private const float Spacing = 0.05f;
 
         // In a step that keeps the order a particle's walls are gathered anew where it has gone 0.07 R since, and 0.45 R where it had none.
         [TestCase(0.9f, 0.067f, false)]

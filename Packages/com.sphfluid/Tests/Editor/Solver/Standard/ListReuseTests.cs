@@ -8,18 +8,18 @@ namespace SphFluid.Tests
     /// <summary>Steps that keep the order of particles and their lists of neighbours, against steps that sort and search anew.</summary>
     public sealed class ListReuseTests
     {
-        const float Spacing = 0.05f;
+        private const float Spacing = 0.05f;
 
-        static readonly Vector3 Domain = new Vector3(0.6f, 0.7f, 0.5f);
+        private static readonly Vector3 Domain = new Vector3(0.6f, 0.7f, 0.5f);
 
-        static FluidSolverSettings Water(int stepsPerSort, FluidAxes periodic = FluidAxes.None)
+        private static FluidSolverSettings Water(int stepsPerSort, FluidAxes periodic = FluidAxes.None)
         {
             FluidSolverSettings settings = BodyRig.Water(Domain, Spacing, 0.3f);
             settings.Boundaries.Periodic = periodic;
             return settings.WithOwn((ref StandardSettings own) => own.StepsPerSort = stepsPerSort);
         }
 
-        static FluidParticle[] Run(FluidSolverSettings settings, FluidParticle[] start, int steps, out long setups)
+        private static FluidParticle[] Run(FluidSolverSettings settings, FluidParticle[] start, int steps, out long setups)
         {
             using (var rig = new StandardRig(settings, start))
             {
@@ -36,7 +36,8 @@ namespace SphFluid.Tests
         public void AListThatServesEightStepsMovesTheLiquidAsOneThatServesOne(FluidAxes periodic)
         {
             FluidParticle[] start = ParticleSets.Lattice(new Vector3Int(9, 8, 7), Spacing, 0.1f * Spacing, 3);
-            FluidParticle[] kept = Run(Water(8, periodic), start, 24, out long few), fresh = Run(Water(1, periodic), start, 24, out long many);
+            FluidParticle[] kept = Run(Water(8, periodic), start, 24, out long few),
+                fresh = Run(Water(1, periodic), start, 24, out long many);
             Assert.That(few, Is.EqualTo(3));
             Assert.That(many, Is.EqualTo(24));
             float fastest = fresh.Max(p => p.VelT0.magnitude);
@@ -45,7 +46,8 @@ namespace SphFluid.Tests
             Assert.That(error, Is.LessThan(0.01 * fastest));
         }
 
-        // A ball's planes turn with the place they are seen from, and the particles behind it change: planes follow those that go far, cuts every step.
+        // A ball's planes turn with the place they are seen from, and the particles behind it change: planes follow those that go far, cuts
+        // every step.
         [Test]
         public void BesideACurvedBodyStepsThatKeepTheOrderMoveTheLiquidAsFreshOnes()
         {
@@ -81,7 +83,8 @@ namespace SphFluid.Tests
             FluidParticle[] end = Run(settings, start, 8, out _);
             Double3 Sum(FluidParticle[] particles) => particles.Aggregate(default(Double3), (sum, p) => sum + p.VelT0);
             double fastest = end.Max(p => p.VelT0.magnitude);
-            Assert.That(end.Zip(start, (a, b) => (a.VelT0 - b.VelT0).magnitude).Max(), Is.GreaterThan(0.01 * fastest), "they push each other");
+            Assert.That(end.Zip(start, (a, b) => (a.VelT0 - b.VelT0).magnitude).Max(), Is.GreaterThan(0.01 * fastest),
+                "they push each other");
             Assert.That((Sum(end) - Sum(start)).Length, Is.LessThan(2e-6 * count * fastest));
         }
 
@@ -92,7 +95,8 @@ namespace SphFluid.Tests
             Assert.That(Run(Water(4), start, 30, out _), Is.EqualTo(Run(Water(4), start, 30, out _)));
         }
 
-        // 200 particles within R of each other: no list holds them, so steps that keep the order search among those of the cells at the sort.
+        // 200 particles within R of each other: no list holds them, so steps that keep the order search among those of the cells at the
+        // sort.
         [Test]
         public void WhoHasMoreNeighboursThanTheListHoldsIsPushedAsByASearch()
         {
@@ -107,7 +111,9 @@ namespace SphFluid.Tests
             float fastest = fresh.Max(p => p.VelT0.magnitude);
             Assert.That(fastest, Is.GreaterThan(0f));
             for (int i = 0; i < start.Length; i++)
+            {
                 Assert.That((kept[i].VelT0 - fresh[i].VelT0).magnitude, Is.LessThan(1e-3f * fastest), $"particle {i}");
+            }
         }
 
         // Two slabs a little farther apart than R that close by 0.8 R in the steps of one list: seen only at the next sort they would go on
@@ -126,7 +132,9 @@ namespace SphFluid.Tests
             FluidParticle[] slab = ParticleSets.Lattice(new Vector3Int(2, 6, 6), Spacing, 0f, 1);
             float half = slab.Max(p => p.Position.x) + 0.51f * radius;
             FluidParticle[] start = slab.Select(p => new FluidParticle(p.Position - half * Vector3.right, speed * Vector3.right, p.Id))
-                .Concat(slab.Select(p => new FluidParticle(p.Position + half * Vector3.right, speed * Vector3.left, p.Id + (uint)slab.Length))).ToArray();
+                .Concat(
+                    slab.Select(p => new FluidParticle(p.Position + half * Vector3.right, speed * Vector3.left, p.Id + (uint)slab.Length)))
+                    .ToArray();
             FluidParticle[] fresh = After(Meeting(1)), kept = After(water);
             double Momentum(FluidParticle[] particles) => particles.Take(slab.Length).Sum(p => (double)p.VelT0.x) / slab.Length;
             double stopped = speed - Momentum(fresh);
@@ -185,7 +193,8 @@ namespace SphFluid.Tests
                     rig.Steps(16);
                     FluidParticle[] particles = rig.Particles();
                     Assert.That(particles.Where(p => !p.IsRemoved).Select(p => p.Id), Is.Unique);
-                    Assert.That(particles.All(p => p.IsRemoved || p.Position.y >= -0.5f * Domain.y), "at a sort nobody is beyond an open face");
+                    Assert.That(particles.All(p => p.IsRemoved || p.Position.y >= -0.5f * Domain.y),
+                        "at a sort nobody is beyond an open face");
                 }
                 Assert.That(rig.Solver.ReadCountersNow().Removed, Is.EqualTo(start.Length));
             }

@@ -9,23 +9,24 @@ namespace SphFluid.Tests
     /// <summary>Triangles hold the liquid next to them by their friction, from free slip to no slip.</summary>
     public sealed class MeshFrictionTests
     {
-        const float Spacing = 0.02f;
+        private const float Spacing = 0.02f;
 
         // Square of two triangles that goes on behind the domain's faces.
-        static Transform AddFloor(BodyRig rig, float y)
+        private static Transform AddFloor(BodyRig rig, float y)
         {
             const float half = 1f;
-            Vector3 a = new Vector3(-half, y, -half), b = new Vector3(-half, y, half), c = new Vector3(half, y, half), d = new Vector3(half, y, -half);
+            Vector3 a = new Vector3(-half, y, -half), b = new Vector3(-half, y, half), c = new Vector3(half, y, half),
+                d = new Vector3(half, y, -half);
             return rig.Add(new[] { a, b, c, a, c, d });
         }
 
-        static void SetFriction(Transform holder, float? friction)
+        private static void SetFriction(Transform holder, float? friction)
         {
             if (friction.HasValue) holder.gameObject.AddComponent<FluidCollider>().Friction = friction.Value;
         }
 
         // Morris's sum over the mirror image behind a wall at rest, D(d) = 42 u^5 (1 - 3u/2 + 4u^2/7) / (q R^2), u = 1 - q, q = d/R.
-        static double MirrorDrag(double distance, double radius)
+        private static double MirrorDrag(double distance, double radius)
         {
             double u = Math.Max(1.0 - distance / radius, 0.0);
             return 42.0 * Math.Pow(u, 5.0) * (1.0 - 1.5 * u + 4.0 / 7.0 * u * u) / (distance * radius);
@@ -50,7 +51,8 @@ namespace SphFluid.Tests
                 for (int i = 0; i < 100; i++)
                 {
                     float distance = settings.SupportRadius * (0.15f + 0.9f * i / 100f);
-                    var position = new Vector3(3f * Spacing * (i % 10 - 4.5f), i % 3 == 0 ? -distance : distance, 3f * Spacing * (i / 10 - 4.5f));
+                    var position =
+                        new Vector3(3f * Spacing * (i % 10 - 4.5f), i % 3 == 0 ? -distance : distance, 3f * Spacing * (i / 10 - 4.5f));
                     start.Add(new FluidParticle(position, new Vector3(0.1f + 0.01f * i, 0f, -0.3f), (uint)i));
                 }
                 rig.Start(start.ToArray());
@@ -70,12 +72,12 @@ namespace SphFluid.Tests
         }
 
         // A film of ten layers down a slide, with the flow that no slip has at the end.
-        sealed class Film : IDisposable
+        private sealed class Film : IDisposable
         {
             public const int Layers = 10;
-            const int Width = 7;
-            const float Kinematic = 0.018f;
-            readonly BodyRig rig;
+            private const int Width = 7;
+            private const float Kinematic = 0.018f;
+            private readonly BodyRig rig;
 
             public Film(float slope, float? friction, bool flows)
             {

@@ -9,17 +9,16 @@ namespace SphFluid.Tests
     /// <summary>Liquid among triangles, many steps: nothing is lost, nothing boils.</summary>
     public sealed class MeshWallFlowTests
     {
-        const float Spacing = 0.02f;
+        private const float Spacing = 0.02f;
 
-        static FluidParticle[] Block(Vector3Int counts, Vector3 low)
+        private static FluidParticle[] Block(Vector3Int counts, Vector3 low)
         {
             FluidParticle[] particles = ParticleSets.Lattice(counts, Spacing, 0f, 1);
-            for (int i = 0; i < particles.Length; i++)
-                particles[i].Position += low + 0.5f * Spacing * (Vector3)counts;
+            for (int i = 0; i < particles.Length; i++) particles[i].Position += low + 0.5f * Spacing * (Vector3)counts;
             return particles;
         }
 
-        static bool IsInside(Transform box, Vector3 position)
+        private static bool IsInside(Transform box, Vector3 position)
         {
             Vector3 p = box.InverseTransformPoint(position);
             return Mathf.Abs(p.x) < 0.5f && Mathf.Abs(p.y) < 0.5f && Mathf.Abs(p.z) < 0.5f;
@@ -39,7 +38,8 @@ namespace SphFluid.Tests
             using (var rig = new BodyRig(settings))
             {
                 Transform box = rig.AddBox(size);
-                double depth = counts.y * Spacing, gravity = settings.Gravity.magnitude, soundSquared = (double)settings.SoundSpeed * settings.SoundSpeed;
+                double depth = counts.y * Spacing, gravity = settings.Gravity.magnitude,
+                    soundSquared = (double)settings.SoundSpeed * settings.SoundSpeed;
                 FluidParticle[] start = Block(counts, -0.5f * size);
                 for (int i = 0; i < start.Length; i++) // pressed together by its weight, so that it does not swing
                 {
@@ -52,8 +52,10 @@ namespace SphFluid.Tests
                 {
                     rig.Frame((int)(0.5 * Math.Sqrt(depth / gravity) / settings.TimeStep));
                     float[] densities = GpuTest.Read<float>(rig.Solver.Density, start.Length);
-                    double elastic = densities.Select(d => Math.Max(d / (double)settings.RestDensity, 1.0)).Average(r => soundSquared * (Math.Log(r) + 1.0 / r - 1.0));
-                    double energy = elastic + rig.Particles().Average(p => 0.5 * p.VelT0.sqrMagnitude + gravity * (p.Position.y + 0.5 * size.y));
+                    double elastic = densities.Select(d => Math.Max(d / (double)settings.RestDensity, 1.0))
+                        .Average(r => soundSquared * (Math.Log(r) + 1.0 / r - 1.0));
+                    double energy = elastic +
+                        rig.Particles().Average(p => 0.5 * p.VelT0.sqrMagnitude + gravity * (p.Position.y + 0.5 * size.y));
                     least = Math.Min(least, energy);
                     gained = Math.Max(gained, energy - least);
                 }
@@ -63,7 +65,9 @@ namespace SphFluid.Tests
                 double height = 2.0 * (particles.Average(p => (double)p.Position.y) + 0.5 * size.y);
                 // Mean depth of a liquid whose density grows by g z/c^2.
                 double expected = depth * (1.0 - gravity * depth / (1.5 * soundSquared));
-                string figures = $"v_rms {speed:g3}, height {height / expected:f4}, contacts {counters.Contacts} in {rig.Solver.StepCount} steps, energy gained {gained / least:g3}";
+                string figures =
+                    $"v_rms {speed:g3}, height {height / expected:f4}, contacts {counters.Contacts} in {rig.Solver.StepCount} steps, " +
+                    $"energy gained {gained / least:g3}";
                 Assert.That(particles.All(p => IsInside(box, p.Position)), Is.True, figures);
                 Assert.That(counters.ContactFallbacks + counters.NonFinite + counters.DomainClamps, Is.Zero, figures);
                 Assert.That(counters.Contacts, Is.LessThan(particles.Length * rig.Solver.StepCount / 1000), figures);
@@ -95,9 +99,11 @@ namespace SphFluid.Tests
                 }
                 FluidCounters counters = rig.Solver.ReadCountersNow();
                 int lost = rig.Particles().Count(p => !IsInside(box, p.Position));
-                Assert.That(lost, Is.Zero, $"contacts {counters.Contacts}, fallbacks {counters.ContactFallbacks}, squeezed {counters.Squeezed}");
+                Assert.That(lost, Is.Zero,
+                    $"contacts {counters.Contacts}, fallbacks {counters.ContactFallbacks}, squeezed {counters.Squeezed}");
                 Assert.That(counters.Squeezed + counters.NonFinite + counters.Overlaps, Is.Zero);
-                if (spacingsPerStep > 1.5f) Assert.That(counters.Contacts, Is.GreaterThan(10), "it met the box"); // slower ones the shell keeps off
+                // slower ones the shell keeps off
+                if (spacingsPerStep > 1.5f) Assert.That(counters.Contacts, Is.GreaterThan(10), "it met the box");
             }
         }
 
@@ -120,8 +126,10 @@ namespace SphFluid.Tests
                 {
                     float swing = Mathf.Sin(2f * Mathf.PI * step / period);
                     if (motion == "scale") box.localScale = (1f + 0.4f * swing) * size;
-                    else if (motion == "uneven") box.localScale = Vector3.Scale(size, new Vector3(1f + 0.4f * swing, 1f, 1f / (1f + 0.4f * swing)));
-                    else parent.transform.localScale = motion == "shear" ? new Vector3(1f + 0.4f * swing, 1f, 1f) : new Vector3(1.5f, 0.8f, 1f);
+                    else if (motion == "uneven") box.localScale =
+                        Vector3.Scale(size, new Vector3(1f + 0.4f * swing, 1f, 1f / (1f + 0.4f * swing)));
+                    else parent.transform.localScale = motion == "shear" ? new Vector3(1f + 0.4f * swing, 1f, 1f)
+                        : new Vector3(1.5f, 0.8f, 1f);
                     if (motion == "shear") box.localRotation = Quaternion.Euler(35f, 0f, 45f);
                     if (motion == "spin") box.localRotation = Quaternion.AngleAxis(360f * step / period, new Vector3(0.3f, 1f, 0.2f));
                     rig.Frame(1);
@@ -144,8 +152,10 @@ namespace SphFluid.Tests
             using (var rig = new BodyRig(settings))
             {
                 float y = size.y, z = size.z;
-                rig.Add(new[] { new Vector3(0f, -y, -z), new Vector3(0f, y, -z), new Vector3(0f, -y, z), new Vector3(0f, y, -z), new Vector3(0f, y, z), new Vector3(0f, -y, z) });
-                FluidParticle[] start = Block(new Vector3Int(8, 10, 6), -0.5f * size).Concat(Block(new Vector3Int(8, 5, 6), Vector3.Scale(-0.5f * size, new Vector3(0f, 1f, 1f)))).ToArray();
+                rig.Add(new[] { new Vector3(0f, -y, -z), new Vector3(0f, y, -z), new Vector3(0f, -y, z), new Vector3(0f, y, -z),
+                    new Vector3(0f, y, z), new Vector3(0f, -y, z) });
+                FluidParticle[] start = Block(new Vector3Int(8, 10, 6), -0.5f * size)
+                    .Concat(Block(new Vector3Int(8, 5, 6), Vector3.Scale(-0.5f * size, new Vector3(0f, 1f, 1f)))).ToArray();
                 for (int i = 0; i < start.Length; i++) start[i].Id = (uint)i;
                 rig.Start(start);
                 for (int frame = 0; frame < 10; frame++) rig.Frame(20);
@@ -169,7 +179,8 @@ namespace SphFluid.Tests
             settings.Boundaries.Periodic = FluidAxes.X;
             using (var rig = new BodyRig(settings))
             {
-                rig.Add(new[] { new Vector3(-2f, 0f, -2f), new Vector3(0f, 0f, 2f), new Vector3(2f, 0f, -2f) }); // goes on beyond both faces
+                // goes on beyond both faces
+                rig.Add(new[] { new Vector3(-2f, 0f, -2f), new Vector3(0f, 0f, 2f), new Vector3(2f, 0f, -2f) });
                 Vector3 displacement = Spacing * new Vector3(4f * side, -5f, 0f);
                 var start = new FluidParticle(new Vector3(5.9f * side * Spacing, 3f * Spacing, 0f), displacement / settings.TimeStep, 0u);
                 rig.Start(new[] { start });
@@ -189,7 +200,9 @@ namespace SphFluid.Tests
             {
                 var corners = new List<Vector3>();
                 for (int copy = 0; copy < 1000; copy++)
+                {
                     corners.AddRange(new[] { new Vector3(-0.1f, 0f, -0.1f), new Vector3(0f, 0f, 0.1f), new Vector3(0.1f, 0f, -0.1f) });
+                }
                 corners.AddRange(new[] { Vector3.zero, Vector3.zero, Vector3.zero });
                 rig.Add(corners);
                 FluidParticle[] start = Block(new Vector3Int(4, 4, 4), 0.5f * Spacing * Vector3.one);
@@ -228,7 +241,8 @@ namespace SphFluid.Tests
                     return rig.Particles();
                 }
             }
-            FluidParticle[] none = Run(false, out long count, out long noneBytes), empty = Run(true, out long emptyCount, out long emptyBytes);
+            FluidParticle[] none = Run(false, out long count, out long noneBytes),
+                empty = Run(true, out long emptyCount, out long emptyBytes);
             Assert.That(empty, Is.EqualTo(none));
             Assert.That(emptyCount, Is.EqualTo(count));
             Assert.That(emptyBytes, Is.EqualTo(noneBytes));

@@ -8,8 +8,8 @@ namespace SphFluid.Tests
     /// <summary>What planes of meshes add to a particle's density, and how they push it, against a reference in double precision.</summary>
     public sealed class MeshWallPushTests
     {
-        const float Spacing = 0.05f;
-        const float Pressure = 4e-3f; // over the square of the density
+        private const float Spacing = 0.05f;
+        private const float Pressure = 4e-3f; // over the square of the density
 
         // A place away from where the walls were gathered, with a Hessian of any kind: the push is the gradient of what they add there.
         [Test]
@@ -27,8 +27,10 @@ namespace SphFluid.Tests
                 rig.State.List.Counts.SetData(new uint[count]); // nobody has a neighbour
                 WalledStateRig.SetWalls(rig, particles.Select(p =>
                 {
-                    StoredWall.Packed wall = StoredWall.Pack(p.Position, false, 0.2f, new[] { Any() / Spacing, Any() / Spacing, Any() / Spacing },
-                        Enumerable.Range(0, planes).Select(_ => (Any().normalized, (0.3f + 0.7f * (float)random.NextDouble()) * Spacing)).ToArray());
+                    StoredWall.Packed wall =
+                        StoredWall.Pack(p.Position, false, 0.2f, new[] { Any() / Spacing, Any() / Spacing, Any() / Spacing },
+                        Enumerable.Range(0, planes).Select(_ => (Any().normalized, (0.3f + 0.7f * (float)random.NextDouble()) * Spacing))
+                            .ToArray());
                     wall.Origin += 0.1f * settings.SupportRadius * Any();
                     (wall.HessianXXYY, wall.HessianZZYZ, wall.HessianZXXY) = (Halves(), Halves(), Halves());
                     return wall;
@@ -63,7 +65,8 @@ namespace SphFluid.Tests
             using (StandardStateRig rig = WalledStateRig.Create(settings, plate, count, out CollisionBodies bodies))
             using (bodies)
             {
-                FluidParticle[] particles = rig.FillSorted(Enumerable.Range(0, count).Select(i => new FluidParticle(Near(half, random), Vector3.zero, (uint)i)).ToArray());
+                FluidParticle[] particles = rig.FillSorted(Enumerable.Range(0, count)
+                    .Select(i => new FluidParticle(Near(half, random), Vector3.zero, (uint)i)).ToArray());
                 GpuTest.Run(cmd => new GatherWallsPass(rig.Shaders).Record(cmd, rig.State, rig.State.Buffers.Positions));
                 rig.State.List.Counts.SetData(new uint[count]); // nobody has a neighbour
                 rig.SetTerms(Enumerable.Repeat(new Vector2(settings.RestDensity, Pressure), count).ToArray());
@@ -82,7 +85,7 @@ namespace SphFluid.Tests
             }
         }
 
-        static Vector3[] Plate(float half)
+        private static Vector3[] Plate(float half)
         {
             var corners = new System.Collections.Generic.List<Vector3>();
             for (int y = 0; y < 3; y++)
@@ -95,7 +98,7 @@ namespace SphFluid.Tests
         }
 
         // Round the rim, 0.3 to 1 spacings off the plate's plane.
-        static Vector3 Near(float half, System.Random random)
+        private static Vector3 Near(float half, System.Random random)
         {
             while (true)
             {

@@ -11,13 +11,13 @@ namespace SphFluid.Tests
     /// </summary>
     public sealed class MoveParticlesTests
     {
-        const float Spacing = 0.05f;
-        const float TimeStep = 1e-4f;
+        private const float Spacing = 0.05f;
+        private const float TimeStep = 1e-4f;
 
         // Of FluidCounters.hlsl.
-        const int DomainClamp = 1, NonFinite = 2, Removed = 8, MaxSpeed = 13;
+        private const int DomainClamp = 1, NonFinite = 2, Removed = 8, MaxSpeed = 13;
 
-        static readonly Vector3 Domain = new Vector3(0.4f, 0.5f, 0.35f);
+        private static readonly Vector3 Domain = new Vector3(0.4f, 0.5f, 0.35f);
 
         [Test]
         public void ForcesAreTheSumsOverAllPairs([Values(1, 63, 64, 65, 257, 1009)] int count,
@@ -75,7 +75,9 @@ namespace SphFluid.Tests
             {
                 FluidParticle[] all = ParticleSets.Random(together + others, 0.2f * Domain, 0f, 4);
                 for (int i = 0; i < all.Length; i++)
+                {
                     all[i].Position = i < together ? Vector3.zero : new Vector3(0.1f, 0.15f, -0.1f) + Vector3.one * (0.1f * Spacing * i);
+                }
                 FluidParticle[] start = rig.FillSorted(all);
                 FillDensities(rig, start, 9);
                 rig.FillList(start, listed);
@@ -239,14 +241,14 @@ namespace SphFluid.Tests
             Assert.That(((Double3)end.VelT0 - velocity - expected).Length, Is.LessThan(1e-3 * expected.Length + 5e-7));
         }
 
-        static FluidSolverSettings Settings(FluidAxes periodic)
+        private static FluidSolverSettings Settings(FluidAxes periodic)
         {
             FluidSolverSettings settings = StandardStateRig.Water(Domain, Spacing, periodic);
             settings.Viscosity = 5f;
             return settings;
         }
 
-        static FluidParticle MoveOne(
+        private static FluidParticle MoveOne(
             FluidSolverSettings settings, Vector3 position, Vector3 velocity, out uint[] counters)
         {
             settings.Gravity = Vector3.zero;
@@ -254,7 +256,7 @@ namespace SphFluid.Tests
         }
 
         // A particle alone, without pressure.
-        static FluidParticle MoveOne(
+        private static FluidParticle MoveOne(
             in FluidSolverSettings settings, Vector3 position, Vector3 velocity, in FluidStep step, out uint[] counters)
         {
             using (var rig = new StandardStateRig(settings, 1))
@@ -268,7 +270,7 @@ namespace SphFluid.Tests
             }
         }
 
-        static FluidParticle[] Move(StandardStateRig rig, FluidStep step, out Vector4[] places)
+        private static FluidParticle[] Move(StandardStateRig rig, FluidStep step, out Vector4[] places)
         {
             int count = rig.State.ParticleCount;
             var pass = new MoveParticlesPass(rig.Shaders);
@@ -280,7 +282,7 @@ namespace SphFluid.Tests
         }
 
         // Any densities up to 3 % from that at rest, with their pressures.
-        static double[] FillDensities(StandardStateRig rig, FluidParticle[] particles, int seed)
+        private static double[] FillDensities(StandardStateRig rig, FluidParticle[] particles, int seed)
         {
             FluidSolverSettings settings = rig.State.Settings;
             double c2 = settings.SoundSpeed * (double)settings.SoundSpeed;
@@ -298,7 +300,7 @@ namespace SphFluid.Tests
             return density;
         }
 
-        static Double3 Force(in FluidSolverSettings settings, Vector3 at)
+        private static Double3 Force(in FluidSolverSettings settings, Vector3 at)
         {
             Vector3 rate = settings.BodyForce.RateSquared;
             Double3 from = (Double3)settings.BodyForce.Centre - at;
@@ -306,7 +308,7 @@ namespace SphFluid.Tests
         }
 
         // The shortest of a displacement's images along periodic axes.
-        static Double3 Image(Double3 d, in FluidSolverSettings settings)
+        private static Double3 Image(Double3 d, in FluidSolverSettings settings)
         {
             Vector3 period = settings.PeriodLength;
             double Shortest(double x, double length) => length > 0.0 ? x - length * Math.Round(x / length) : x;

@@ -35,7 +35,7 @@ namespace SphFluid.Tests
         }
 
         // 0, 1 and the extrema of the cubic through four of its values in between.
-        static List<double> Splits(double before, double f0, double f1, double f2)
+        private static List<double> Splits(double before, double f0, double f1, double f2)
         {
             double c3 = (f2 - 3.0 * f1 + 3.0 * f0 - before) / 6.0, c2 = 0.5 * (f1 + before) - f0, c1 = f1 - f0 - c2 - c3;
             var times = new List<double> { 0.0, 1.0 };
@@ -54,7 +54,7 @@ namespace SphFluid.Tests
             return times;
         }
 
-        static bool IsWithin(Double3 x0, Double3 x1, Double3[] start, Double3[] end, double t)
+        private static bool IsWithin(Double3 x0, Double3 x1, Double3[] start, Double3[] end, double t)
         {
             Double3 x = At(x0, x1, t), a = At(start[0], end[0], t), b = At(start[1], end[1], t), c = At(start[2], end[2], t);
             Double3 n = Double3.Cross(b - a, c - a);
@@ -62,15 +62,15 @@ namespace SphFluid.Tests
                 Double3.Dot(Double3.Cross(a - c, x - c), n) >= 0.0 && Double3.Dot(Double3.Cross(b - a, x - a), n) >= 0.0;
         }
 
-        static bool AreApart(Double3 x0, Double3 x1, Double3[] s, Double3[] e) =>
+        private static bool AreApart(Double3 x0, Double3 x1, Double3[] s, Double3[] e) =>
             AreApart(x0.X, x1.X, s[0].X, s[1].X, s[2].X, e[0].X, e[1].X, e[2].X) ||
             AreApart(x0.Y, x1.Y, s[0].Y, s[1].Y, s[2].Y, e[0].Y, e[1].Y, e[2].Y) ||
             AreApart(x0.Z, x1.Z, s[0].Z, s[1].Z, s[2].Z, e[0].Z, e[1].Z, e[2].Z);
 
-        static bool AreApart(double x0, double x1, double a0, double b0, double c0, double a1, double b1, double c1) =>
+        private static bool AreApart(double x0, double x1, double a0, double b0, double c0, double a1, double b1, double c1) =>
             Math.Max(x0, x1) < Math.Min(Math.Min(a0, Math.Min(b0, c0)), Math.Min(a1, Math.Min(b1, c1))) ||
             Math.Min(x0, x1) > Math.Max(Math.Max(a0, Math.Max(b0, c0)), Math.Max(a1, Math.Max(b1, c1)));
 
-        static Double3 At(Double3 a, Double3 b, double t) => (1.0 - t) * a + t * b;
+        private static Double3 At(Double3 a, Double3 b, double t) => (1.0 - t) * a + t * b;
     }
 }

@@ -4,13 +4,15 @@ using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>Faces through which liquid leaves: whoever is beyond one is removed and counted, everybody else stays, and no wall is felt there.</summary>
+    /// <summary>
+    /// Faces through which liquid leaves: whoever is beyond one is removed and counted, everybody else stays, and no wall is felt there.
+    /// </summary>
     public sealed class OpenFacesTests
     {
-        const float Spacing = 0.05f;
-        static readonly Vector3 Domain = new Vector3(0.4f, 0.6f, 0.35f);
+        private const float Spacing = 0.05f;
+        private static readonly Vector3 Domain = new Vector3(0.4f, 0.6f, 0.35f);
 
-        static FluidSolverSettings Settings(FluidFaces open, FluidAxes periodic = FluidAxes.None)
+        private static FluidSolverSettings Settings(FluidFaces open, FluidAxes periodic = FluidAxes.None)
         {
             FluidSolverSettings settings = BodyRig.Water(Domain, Spacing, 0.4f);
             settings.Boundaries.Open = open;
@@ -18,7 +20,7 @@ namespace SphFluid.Tests
             return settings;
         }
 
-        static FluidParticle[] Block() => ParticleSets.Lattice(new Vector3Int(7, 8, 6), Spacing, 0.02f * Spacing, 5);
+        private static FluidParticle[] Block() => ParticleSets.Lattice(new Vector3Int(7, 8, 6), Spacing, 0.02f * Spacing, 5);
 
         [TestCase(FluidFaces.LowY, FluidAxes.None, true)]
         [TestCase(FluidFaces.LowY, FluidAxes.X | FluidAxes.Z, false)]
@@ -38,7 +40,8 @@ namespace SphFluid.Tests
                     FluidParticle[] particles = rig.Particles();
                     int live = particles.TakeWhile(p => !p.IsRemoved).Count();
                     FluidCounters counters = rig.Solver.ReadCountersNow();
-                    Assert.That(particles.Take(live).Select(p => p.Id), Is.Unique.And.SubsetOf(start.Select(p => p.Id)), "nobody is doubled");
+                    Assert.That(particles.Take(live).Select(p => p.Id), Is.Unique.And.SubsetOf(start.Select(p => p.Id)),
+                        "nobody is doubled");
                     Assert.That(particles.Skip(live).All(p => p.IsRemoved), "they stand behind all others");
                     Assert.That(counters.Removed, Is.EqualTo(start.Length - live).And.GreaterThanOrEqualTo(before));
                     Assert.That(particles.Take(live).All(p => IsInside(p.Position)));
@@ -60,7 +63,8 @@ namespace SphFluid.Tests
         {
             FluidSolverSettings settings = Settings(open);
             settings.Gravity = Vector3.zero;
-            using (var rig = new StandardRig(settings, new[] { new FluidParticle(new Vector3(side * 0.5f * Domain.x, 0f, 0f), Vector3.zero, 0u) }))
+            using (var rig =
+                new StandardRig(settings, new[] { new FluidParticle(new Vector3(side * 0.5f * Domain.x, 0f, 0f), Vector3.zero, 0u) }))
             {
                 rig.Steps(2);
                 Assert.That(rig.Particles()[0].IsRemoved, Is.False);
@@ -85,7 +89,9 @@ namespace SphFluid.Tests
                     Assert.That(statistics.Listed, Is.EqualTo(liquid.Length));
                     Assert.That((statistics.Escaped, statistics.Misplaced, statistics.NonFinite), Is.EqualTo((0, 0, 0)));
                     Assert.That(statistics.MaxSpeed, Is.EqualTo(liquid.Max(p => p.VelT0.magnitude)).Within(1e-5));
-                    Assert.That(statistics.KineticEnergy, Is.EqualTo(0.5 * rig.Solver.Settings.ParticleMass * liquid.Sum(p => (double)p.VelT0.sqrMagnitude)).Within(1e-4).Percent);
+                    Assert.That(statistics.KineticEnergy,
+                        Is.EqualTo(0.5 * rig.Solver.Settings.ParticleMass * liquid.Sum(p => (double)p.VelT0.sqrMagnitude))
+                            .Within(1e-4).Percent);
                 }
             }
             finally
@@ -116,7 +122,10 @@ namespace SphFluid.Tests
                 FluidParticle[] particles = rig.Particles();
                 float[] density = rig.Densities();
                 for (int i = 0; i < particles.Length; i++)
-                    Assert.That(density[i], Is.EqualTo(StandardReference.Density(particles, i, settings)).Within(2e-3).Percent, $"particle {i}");
+                {
+                    Assert.That(density[i], Is.EqualTo(StandardReference.Density(particles, i, settings)).Within(2e-3).Percent,
+                        $"particle {i}");
+                }
             }
         }
 
@@ -164,10 +173,10 @@ namespace SphFluid.Tests
             }
         }
 
-        static bool IsInside(Vector3 p) =>
+        private static bool IsInside(Vector3 p) =>
             Mathf.Abs(p.x) <= 0.5f * Domain.x && Mathf.Abs(p.y) <= 0.5f * Domain.y && Mathf.Abs(p.z) <= 0.5f * Domain.z;
 
-        static long Listed(FluidSolver solver) =>
+        private static long Listed(FluidSolver solver) =>
             GpuTest.Read<Vector2Int>(solver.GridIndices, solver.Grid.CellCount).Sum(range => (long)(range.y - range.x));
     }
 }

@@ -9,11 +9,11 @@ namespace SphFluid.Tests
     /// <summary>StandardDensity on particles that the test sorts, against sums over all pairs in double.</summary>
     public sealed class StandardDensityTests
     {
-        const float Spacing = 0.05f;
-        const int MaxDensity = 14; // COUNTER_MAX_DENSITY
+        private const float Spacing = 0.05f;
+        private const int MaxDensity = 14; // COUNTER_MAX_DENSITY
 
-        static readonly Vector2 Canary = new Vector2(-7f, -8f);
-        static readonly Vector3 Domain = new Vector3(0.4f, 0.5f, 0.35f);
+        private static readonly Vector2 Canary = new Vector2(-7f, -8f);
+        private static readonly Vector3 Domain = new Vector3(0.4f, 0.5f, 0.35f);
 
         [Test]
         public void DensityAndPressureAreTheSumsOverAllPairs(
@@ -59,11 +59,13 @@ namespace SphFluid.Tests
                     Assert.That(found.Count, Is.EqualTo(listed), $"neighbours of {i} are listed once each");
                     Assert.That(found.IsSubsetOf(perhaps), Is.True, $"list of {i}");
                     if (listed % 2 == 1 && listed == counts[i])
-                        Assert.That(entries[(i / 32 * list.Length + listed) * 32 + i % 32], Is.EqualTo(i), "an odd list ends with the particle itself");
+                    {
+                        Assert.That(entries[(i / 32 * list.Length + listed) * 32 + i % 32], Is.EqualTo(i),
+                            "an odd list ends with the particle itself");
+                    }
                 }
 
-                if (count == 1009)
-                    Assert.That(counts.Max(), Is.GreaterThan(list.Length), "some have more than a list holds");
+                if (count == 1009) Assert.That(counts.Max(), Is.GreaterThan(list.Length), "some have more than a list holds");
             }
         }
 
@@ -109,13 +111,13 @@ namespace SphFluid.Tests
                 Vector2[] terms = Record(rig);
                 bodies.Dispose();
                 double error = 2e-5 * settings.RestDensity;
-                for (int i = 0; i < count; i++)
-                    Assert.That(terms[i].x, Is.EqualTo(expected[i]).Within(error), $"particle {i}");
+                for (int i = 0; i < count; i++) Assert.That(terms[i].x, Is.EqualTo(expected[i]).Within(error), $"particle {i}");
             }
         }
 
-        // Faces of a wedge along z whose edge is the origin's: to the right of x = 0 particles see the right one, to the left the left one. In a
-        // step that sorts and in three that keep the list; in the second of these the planes are no faces. A blunt wedge parts no liquid.
+        // Faces of a wedge along z whose edge is the origin's: to the right of x = 0 particles see the right one, to the left the left one.
+        // In a step that sorts and in three that keep the list; in the second of these the planes are no faces. A blunt wedge parts no
+        // liquid.
         [TestCase(0f, true)]
         [TestCase(55f, true)]
         [TestCase(65f, false)]
@@ -129,14 +131,16 @@ namespace SphFluid.Tests
             bool IsHidden(Vector3 one, Vector3 other) =>
                 one.x > 0f != other.x > 0f && Vector3.Dot(Face(one), other) < 0f && Vector3.Dot(Face(other), one) < 0f;
             bool IsClear(Vector3 place) => // of the rounding of normals
-                Mathf.Min(Mathf.Abs(place.x), Mathf.Abs(Vector3.Dot(toRight, place)), Mathf.Abs(Vector3.Dot(toLeft, place))) > 1e-3f * Spacing;
+                Mathf.Min(Mathf.Abs(place.x), Mathf.Abs(Vector3.Dot(toRight, place)), Mathf.Abs(Vector3.Dot(toLeft, place))) >
+                    1e-3f * Spacing;
 
             FluidSolverSettings settings = StandardStateRig.Water(Domain, Spacing);
             using (StandardStateRig rig = WalledStateRig.Create(settings, count, out CollisionBodies bodies))
             using (bodies)
             {
                 FluidParticle[] particles = rig.FillSorted(ParticleSets.Random(2 * count, 0.5f * Domain, 1f, 6)
-                    .Where(p => IsClear(p.Position)).Take(count).Select((p, i) => new FluidParticle(p.Position, p.VelT0, (uint)i)).ToArray());
+                    .Where(p => IsClear(p.Position)).Take(count).Select((p, i) => new FluidParticle(p.Position, p.VelT0, (uint)i))
+                    .ToArray());
                 Assert.That(particles.Sum(p => particles.Count(q => IsHidden(p.Position, q.Position))), Is.GreaterThan(count));
                 SetFaces(true);
                 AssertDensities(Record(rig), true);
@@ -150,17 +154,21 @@ namespace SphFluid.Tests
 
                 void SetFaces(bool areFaces) =>
                     WalledStateRig.SetWalls(rig, particles.Select(p =>
-                        StoredWall.Pack(p.Position, areFaces, 0f, null, (Face(p.Position), Vector3.Dot(Face(p.Position), p.Position)))).ToList());
+                        StoredWall.Pack(p.Position, areFaces, 0f, null, (Face(p.Position), Vector3.Dot(Face(p.Position), p.Position))))
+                        .ToList());
 
                 void AssertDensities(Vector2[] terms, bool areFaces)
                 {
                     for (int i = 0; i < terms.Length; i++)
                     {
-                        FluidParticle[] seen = particles.Where(p => !(areFaces && parts && IsHidden(particles[i].Position, p.Position))).ToArray();
+                        FluidParticle[] seen = particles.Where(p => !(areFaces && parts && IsHidden(particles[i].Position, p.Position)))
+                            .ToArray();
                         int own = Array.FindIndex(seen, p => p.Id == particles[i].Id);
                         double walls = StandardReference.Walls(particles[i].Position, settings);
-                        double expected = StandardReference.Density(seen, own, settings) - settings.RestDensity * walls / StandardReference.Response(settings);
-                        Assert.That(terms[i].x, Is.EqualTo(expected).Within(2e-5 * settings.RestDensity), $"particle {i}, faces: {areFaces}");
+                        double expected = StandardReference.Density(seen, own, settings) -
+                            settings.RestDensity * walls / StandardReference.Response(settings);
+                        Assert.That(terms[i].x, Is.EqualTo(expected).Within(2e-5 * settings.RestDensity),
+                            $"particle {i}, faces: {areFaces}");
                     }
                 }
             }
@@ -203,7 +211,9 @@ namespace SphFluid.Tests
                         double before = ThesisReference.Separation(sorted[i], sorted[j], settings.PeriodLength).Length;
                         double now = ThesisReference.Separation(moved[i], moved[j], settings.PeriodLength).Length;
                         if (j != i && before >= settings.SupportRadius && now < settings.SupportRadius)
+                        {
                             late += settings.ParticleMass * StandardReference.Kernel(now, settings.SupportRadius);
+                        }
                     }
                     double expected = StandardReference.Density(moved, i, settings) - late / StandardReference.Response(settings);
                     Assert.That(terms[i].x, Is.EqualTo(expected).Within(3e-5 * Math.Max(rest, expected)), $"density of {i}");
@@ -240,7 +250,7 @@ namespace SphFluid.Tests
             }
         }
 
-        static Vector2[] Record(StandardStateRig rig)
+        private static Vector2[] Record(StandardStateRig rig)
         {
             int count = rig.State.ParticleCount;
             rig.SetTerms(Enumerable.Repeat(Canary, count).ToArray());
@@ -249,7 +259,7 @@ namespace SphFluid.Tests
             return rig.Terms();
         }
 
-        static void AssertTerms(Vector2[] terms, FluidParticle[] particles, in FluidSolverSettings settings)
+        private static void AssertTerms(Vector2[] terms, FluidParticle[] particles, in FluidSolverSettings settings)
         {
             double rest = settings.RestDensity, c2 = settings.SoundSpeed * (double)settings.SoundSpeed;
             for (int i = 0; i < terms.Length; i++)
@@ -264,7 +274,7 @@ namespace SphFluid.Tests
         }
 
         // Indices of the particles within a part of R, the particle itself left out.
-        static HashSet<int> Within(FluidParticle[] particles, int i, FluidSolverSettings settings, double part) =>
+        private static HashSet<int> Within(FluidParticle[] particles, int i, FluidSolverSettings settings, double part) =>
             new HashSet<int>(Enumerable.Range(0, particles.Length).Where(j => j != i && ThesisReference.Separation(
                 particles[i], particles[j], settings.PeriodLength).Length < part * settings.SupportRadius));
     }

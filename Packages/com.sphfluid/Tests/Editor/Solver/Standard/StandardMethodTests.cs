@@ -7,9 +7,9 @@ namespace SphFluid.Tests
 {
     public sealed class StandardMethodTests
     {
-        const float Spacing = 0.05f;
+        private const float Spacing = 0.05f;
 
-        static FluidSolverSettings Settings(Vector3 domain, FluidAxes periodic = FluidAxes.None)
+        private static FluidSolverSettings Settings(Vector3 domain, FluidAxes periodic = FluidAxes.None)
         {
             FluidRuleInput input = FluidRuleInput.Water;
             input.Method = FluidMethodKind.Standard;
@@ -40,7 +40,10 @@ namespace SphFluid.Tests
                 float[] density = rig.Densities();
                 Assert.That(particles.Select(p => p.Id).Distinct().Count(), Is.EqualTo(count));
                 for (int i = 0; i < count; i++)
-                    Assert.That(density[i], Is.EqualTo(StandardReference.Density(particles, i, settings)).Within(2e-3).Percent, $"particle {i}");
+                {
+                    Assert.That(density[i], Is.EqualTo(StandardReference.Density(particles, i, settings)).Within(2e-3).Percent,
+                        $"particle {i}");
+                }
             }
         }
 
@@ -67,7 +70,8 @@ namespace SphFluid.Tests
                 {
                     Double3 expected = StandardReference.Acceleration(start, density, i, settings);
                     Double3 measured = 2.0 / settings.TimeStep * ((Double3)after[i].VelT0 - start[i].VelT0);
-                    Assert.That((measured - expected).Length, Is.LessThan(2e-4 * largest + 0.02), $"particle {i}: {measured} for {expected}");
+                    Assert.That((measured - expected).Length, Is.LessThan(2e-4 * largest + 0.02),
+                        $"particle {i}: {measured} for {expected}");
                 }
             }
         }
@@ -79,8 +83,7 @@ namespace SphFluid.Tests
             using (StandardRig rig = new StandardRig(settings, ParticleSets.Lattice(8 * Vector3Int.one, Spacing, 0f, 1)))
             {
                 rig.Setup();
-                foreach (float density in rig.Densities())
-                    Assert.That(density, Is.EqualTo(settings.RestDensity).Within(1).Percent);
+                foreach (float density in rig.Densities()) Assert.That(density, Is.EqualTo(settings.RestDensity).Within(1).Percent);
             }
         }
 
@@ -104,7 +107,8 @@ namespace SphFluid.Tests
             FluidSolverSettings settings = Settings(new Vector3(0.4f, 0.5f, 0.3f));
             FluidParticle[] Run()
             {
-                using (StandardRig rig = new StandardRig(settings, ParticleSets.Lattice(new Vector3Int(7, 8, 5), Spacing, 0.2f * Spacing, 1)))
+                using (StandardRig rig =
+                    new StandardRig(settings, ParticleSets.Lattice(new Vector3Int(7, 8, 5), Spacing, 0.2f * Spacing, 1)))
                 {
                     rig.Steps(40);
                     return rig.Particles();
@@ -119,7 +123,8 @@ namespace SphFluid.Tests
         public void TwoParticlesInOnePlacePart()
         {
             FluidSolverSettings settings = Settings(Vector3.one);
-            var start = ParticleSets.Lattice(4 * Vector3Int.one, Spacing, 0f, 1).Concat(new[] { new FluidParticle(0.5f * Spacing * Vector3.one, Vector3.zero, 64u) }).ToArray();
+            var start = ParticleSets.Lattice(4 * Vector3Int.one, Spacing, 0f, 1)
+                .Concat(new[] { new FluidParticle(0.5f * Spacing * Vector3.one, Vector3.zero, 64u) }).ToArray();
             settings.Gravity = Vector3.zero;
             using (StandardRig rig = new StandardRig(settings, start))
             {
@@ -143,7 +148,9 @@ namespace SphFluid.Tests
                 Assert.That(particles.Select(p => p.Id).OrderBy(id => id), Is.EqualTo(Enumerable.Range(0, 5003).Select(i => (uint)i)));
                 float[] density = rig.Densities();
                 for (int i = 0; i < particles.Length; i += 41)
+                {
                     Assert.That(density[i], Is.EqualTo(StandardReference.Density(particles, i, settings)).Within(2e-3).Percent);
+                }
             }
         }
     }

@@ -5,7 +5,7 @@ namespace SphFluid.Tests
     /// <summary>A solver of the Standard method around given particles.</summary>
     internal sealed class StandardRig : IDisposable
     {
-        readonly FluidShaderSet shaders = TestShaders.CreateSet();
+        private readonly FluidShaderSet shaders = TestShaders.CreateSet();
 
         public StandardRig(in FluidSolverSettings settings, FluidParticle[] particles)
         {

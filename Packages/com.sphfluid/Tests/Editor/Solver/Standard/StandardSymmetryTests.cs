@@ -8,13 +8,13 @@ namespace SphFluid.Tests
     /// <summary>A liquid in a box of triangles goes as its image does: turned, mirrored, elsewhere and at another scale.</summary>
     public sealed class StandardSymmetryTests
     {
-        const float Spacing = 0.02f;
-        const int Steps = 8; // from rounding, 4e-7 dx in the first step, differences grow twentyfold in sixteen
-        static readonly Vector3 Domain = new Vector3(0.64f, 0.6f, 0.56f), Box = new Vector3(0.2f, 0.24f, 0.16f);
-        static readonly Vector3 Gravity = new Vector3(0.3f, -9.81f, 0.2f);
+        private const float Spacing = 0.02f;
+        private const int Steps = 8; // from rounding, 4e-7 dx in the first step, differences grow twentyfold in sixteen
+        private static readonly Vector3 Domain = new Vector3(0.64f, 0.6f, 0.56f), Box = new Vector3(0.2f, 0.24f, 0.16f);
+        private static readonly Vector3 Gravity = new Vector3(0.3f, -9.81f, 0.2f);
 
         /// <summary>Where points of the first liquid are in the second one.</summary>
-        struct Image
+        private struct Image
         {
             public Quaternion Turn;
             public bool IsMirrored; // along x, before it turns
@@ -25,7 +25,7 @@ namespace SphFluid.Tests
             public Vector3 Point(Vector3 p) => Scale * Vector(p) + Shift;
         }
 
-        static Image Turned(Quaternion turn) => new Image { Turn = turn, Scale = 1f };
+        private static Image Turned(Quaternion turn) => new Image { Turn = turn, Scale = 1f };
 
         [TestCase(0f, 1f, 0f, 90f, 5e-5)]
         [TestCase(0f, 1f, 0f, 180f, 5e-5)]
@@ -39,14 +39,16 @@ namespace SphFluid.Tests
         public void MirroredItGoesAsItDid() => Check(new Image { Turn = Quaternion.identity, IsMirrored = true, Scale = 1f }, 2e-5);
 
         [Test]
-        public void ElsewhereItGoesAsItDid() => Check(new Image { Turn = Quaternion.identity, Scale = 1f, Shift = new Vector3(0.0137f, 0.0071f, -0.0093f) }, 5e-5);
+        public void ElsewhereItGoesAsItDid() =>
+        Check(new Image { Turn = Quaternion.identity, Scale = 1f, Shift = new Vector3(0.0137f, 0.0071f, -0.0093f) }, 5e-5);
 
         [TestCase(4f, 1e-6)] // lengths, times and speeds by powers of two: no digit changes
         [TestCase(0.25f, 1e-6)]
         [TestCase(3f, 5e-5)]
-        public void ItsScaleIsThatOfFroude(float scale, double within) => Check(new Image { Turn = Quaternion.identity, Scale = scale }, within);
+        public void ItsScaleIsThatOfFroude(float scale, double within) =>
+        Check(new Image { Turn = Quaternion.identity, Scale = scale }, within);
 
-        static void Check(Image image, double within)
+        private static void Check(Image image, double within)
         {
             (FluidParticle[] first, FluidSolverSettings settings) = Play(Turned(Quaternion.identity));
             (FluidParticle[] second, FluidSolverSettings its) = Play(image);
@@ -57,7 +59,8 @@ namespace SphFluid.Tests
             for (int i = 0; i < first.Length; i++)
             {
                 place = Math.Max(place, (second[i].Position - image.Point(first[i].Position)).magnitude / (image.Scale * Spacing));
-                velocity = Math.Max(velocity, (second[i].VelT0 - (float)speed * image.Vector(first[i].VelT0)).magnitude / (speed * fastest));
+                velocity =
+                    Math.Max(velocity, (second[i].VelT0 - (float)speed * image.Vector(first[i].VelT0)).magnitude / (speed * fastest));
             }
             TestContext.WriteLine($"places {place:g3} dx, velocities {velocity:g3} of the fastest");
             Assert.That(place, Is.LessThan(within), "places, dx");
@@ -65,7 +68,7 @@ namespace SphFluid.Tests
         }
 
         // 400 particles thrown into a corner of the box, by number.
-        static (FluidParticle[], FluidSolverSettings) Play(Image image)
+        private static (FluidParticle[], FluidSolverSettings) Play(Image image)
         {
             Vector3 side = image.Scale * (image.Turn == Quaternion.identity ? Domain : 0.72f * Vector3.one);
             double time = Math.Sqrt(image.Scale);

@@ -8,10 +8,10 @@ namespace SphFluid.Tests
     /// <summary>A relaxed pool does not pop when it is let go; overlapping particles part.</summary>
     public sealed class StartRelaxerTests
     {
-        const float Spacing = 0.025f, Depth = 0.15f;
-        static readonly Vector3 Domain = new Vector3(0.2f, 0.25f, 0.2f);
+        private const float Spacing = 0.025f, Depth = 0.15f;
+        private static readonly Vector3 Domain = new Vector3(0.2f, 0.25f, 0.2f);
 
-        FluidShaderSet shaders;
+        private FluidShaderSet shaders;
 
         [SetUp]
         public void SetUp() => shaders = TestShaders.CreateSet();
@@ -43,7 +43,7 @@ namespace SphFluid.Tests
             Assert.That(after, Is.LessThan(1.02f * settings.RestDensity));
         }
 
-        FluidParticle[] Relaxed(in FluidSolverSettings settings, FluidParticle[] start, out bool settled)
+        private FluidParticle[] Relaxed(in FluidSolverSettings settings, FluidParticle[] start, out bool settled)
         {
             using (var relaxer = new StartRelaxer(settings, shaders, start, null, RelaxedStart.Height(settings, start)))
             {
@@ -52,7 +52,7 @@ namespace SphFluid.Tests
             }
         }
 
-        float Densest(in FluidSolverSettings settings, FluidParticle[] particles)
+        private float Densest(in FluidSolverSettings settings, FluidParticle[] particles)
         {
             using (var solver = new FluidSolver(settings, shaders, particles))
             {
@@ -61,14 +61,14 @@ namespace SphFluid.Tests
             }
         }
 
-        static FluidSolverSettings Water(FluidAxes periodic)
+        private static FluidSolverSettings Water(FluidAxes periodic)
         {
             FluidSolverSettings settings = BodyRig.Water(Domain, Spacing, Depth);
             settings.Boundaries.Periodic = periodic;
             return settings;
         }
 
-        float Fastest(in FluidSolverSettings settings, FluidParticle[] particles)
+        private float Fastest(in FluidSolverSettings settings, FluidParticle[] particles)
         {
             using (var solver = new FluidSolver(settings, shaders, particles))
             {
@@ -78,10 +78,16 @@ namespace SphFluid.Tests
             }
         }
 
-        static FluidParticle[] Pool(float jitter)
+        private static FluidParticle[] Pool(float jitter)
         {
-            var box = new LiquidBox("pool", Matrix4x4.TRS(new Vector3(0f, 0.5f * (Depth - Domain.y), 0f), Quaternion.identity, new Vector3(Domain.x, Depth, Domain.z)), Vector3.zero);
-            return FluidSpawner.Fill(new SpawnRequest { DomainSize = Domain, Spacing = Spacing, Shapes = new[] { box }, Jitter = jitter, Seed = 1 }).Particles.ToArray();
+            var box = new LiquidBox("pool",
+                Matrix4x4.TRS(new Vector3(0f, 0.5f * (Depth - Domain.y), 0f), Quaternion.identity, new Vector3(Domain.x, Depth, Domain.z)),
+                Vector3.zero);
+            return FluidSpawner.Fill(new SpawnRequest
+            {
+                DomainSize = Domain, Spacing = Spacing, Shapes = new[] { box }, Jitter = jitter,
+                Seed = 1
+            }).Particles.ToArray();
         }
     }
 }

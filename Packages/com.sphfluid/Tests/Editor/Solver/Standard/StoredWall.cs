@@ -27,9 +27,9 @@ namespace SphFluid.Tests
             public Vector3 Push0, Push1, Push2;
         }
 
-        readonly Packed packed;
-        readonly Vector3 position;
-        readonly FluidSolverSettings settings;
+        private readonly Packed packed;
+        private readonly Vector3 position;
+        private readonly FluidSolverSettings settings;
 
         public StoredWall(Packed packed, Vector3 position, FluidSolverSettings settings)
         {
@@ -60,35 +60,37 @@ namespace SphFluid.Tests
         // Of the first plane's wall.
         public Vector3 FirstPush => packed.Push0;
 
-        Double3 Gone => (Double3)position - (Double3)packed.Origin;
+        private Double3 Gone => (Double3)position - (Double3)packed.Origin;
 
         // What the Hessian adds to the gradient.
-        Double3 Turned
+        private Double3 Turned
         {
             get
             {
                 double scale = 1.0 / ((double)settings.SupportRadius * settings.SupportRadius);
-                double xx = Half(packed.HessianXXYY), yy = Half(packed.HessianXXYY >> 16), zz = Half(packed.HessianZZYZ), yz = Half(packed.HessianZZYZ >> 16);
+                double xx = Half(packed.HessianXXYY), yy = Half(packed.HessianXXYY >> 16), zz = Half(packed.HessianZZYZ),
+                    yz = Half(packed.HessianZZYZ >> 16);
                 double zx = Half(packed.HessianZXXY), xy = Half(packed.HessianZXXY >> 16);
                 Double3 d = Gone;
                 return scale * new Double3(xx * d.X + xy * d.Y + zx * d.Z, xy * d.X + yy * d.Y + yz * d.Z, zx * d.X + yz * d.Y + zz * d.Z);
             }
         }
 
-        Double3 NormalOf(int k) => Octahedral(k == 0 ? packed.Normal0 : k == 1 ? packed.Normal1 : packed.Normal2);
+        private Double3 NormalOf(int k) => Octahedral(k == 0 ? packed.Normal0 : k == 1 ? packed.Normal1 : packed.Normal2);
 
-        double Away(Double3 x, int k) => Double3.Dot(x, NormalOf(k)) - (k == 0 ? packed.Offset0 : k == 1 ? packed.Offset1 : packed.Offset2);
+        private double Away(Double3 x, int k) => Double3.Dot(x, NormalOf(k)) -
+            (k == 0 ? packed.Offset0 : k == 1 ? packed.Offset1 : packed.Offset2);
 
-        static float Half(uint bits) => Mathf.HalfToFloat((ushort)bits);
+        private static float Half(uint bits) => Mathf.HalfToFloat((ushort)bits);
 
-        static Vector3 Octahedral(uint bits)
+        private static Vector3 Octahedral(uint bits)
         {
             float x = (short)bits / 32767f, y = (short)(bits >> 16) / 32767f, z = 1f - Mathf.Abs(x) - Mathf.Abs(y);
             if (z < 0f) (x, y) = ((1f - Mathf.Abs(y)) * (x < 0f ? -1f : 1f), (1f - Mathf.Abs(x)) * (y < 0f ? -1f : 1f));
             return new Vector3(x, y, z).normalized;
         }
 
-        static uint OfOctahedral(Vector3 n)
+        private static uint OfOctahedral(Vector3 n)
         {
             n /= Mathf.Abs(n.x) + Mathf.Abs(n.y) + Mathf.Abs(n.z);
             if (n.z < 0f) (n.x, n.y) = ((1f - Mathf.Abs(n.y)) * (n.x < 0f ? -1f : 1f), (1f - Mathf.Abs(n.x)) * (n.y < 0f ? -1f : 1f));
@@ -117,7 +119,8 @@ namespace SphFluid.Tests
         /// <param name="share">Of the kernel, behind them.</param>
         /// <param name="pushes">What each has of the gradient of that [1/m].</param>
         /// <param name="planes">Unit normals towards the particle and distances [m].</param>
-        public static Packed Pack(Vector3 position, bool areFaces, float share, Vector3[] pushes, params (Vector3 Normal, float Distance)[] planes)
+        public static Packed Pack(Vector3 position, bool areFaces, float share, Vector3[] pushes,
+            params (Vector3 Normal, float Distance)[] planes)
         {
             (uint, float, uint) Plane(int k)
             {
@@ -126,7 +129,11 @@ namespace SphFluid.Tests
                 return (normal, Vector3.Dot(Octahedral(normal), position) - planes[k].Distance, 0u);
             }
             Vector3 Push(int k) => pushes != null && k < pushes.Length ? pushes[k] : Vector3.zero;
-            var packed = new Packed { VelocityZ = areFaces ? (1u << planes.Length) - 1u : 0u, Origin = position, Share = share, Push0 = Push(0), Push1 = Push(1), Push2 = Push(2) };
+            var packed = new Packed
+            {
+                VelocityZ = areFaces ? (1u << planes.Length) - 1u : 0u, Origin = position, Share = share,
+                Push0 = Push(0), Push1 = Push(1), Push2 = Push(2)
+            };
             (packed.Normal0, packed.Offset0, packed.Approach0) = Plane(0);
             (packed.Normal1, packed.Offset1, packed.Approach1) = Plane(1);
             (packed.Normal2, packed.Offset2, packed.Approach2) = Plane(2);

@@ -5,13 +5,15 @@ using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>What no user means and some will do: each is contained (finite, inside, nobody lost) and named by a finding or a guard.</summary>
+    /// <summary>
+    /// What no user means and some will do: each is contained (finite, inside, nobody lost) and named by a finding or a guard.
+    /// </summary>
     public sealed class StressTests
     {
-        const float Spacing = 0.05f;
-        static readonly Vector3 Domain = new Vector3(0.8f, 0.8f, 0.7f);
+        private const float Spacing = 0.05f;
+        private static readonly Vector3 Domain = new Vector3(0.8f, 0.8f, 0.7f);
 
-        FluidShaderSet shaders;
+        private FluidShaderSet shaders;
 
         [SetUp]
         public void SetUp() => shaders = TestShaders.CreateSet();
@@ -19,9 +21,10 @@ namespace SphFluid.Tests
         [TearDown]
         public void TearDown() => Object.DestroyImmediate(shaders);
 
-        static FluidSolverSettings Settings() => BodyRig.Water(Domain, Spacing, 0.6f);
+        private static FluidSolverSettings Settings() => BodyRig.Water(Domain, Spacing, 0.6f);
 
-        static FluidParticle[] Block(float spacing = Spacing) => ParticleSets.Lattice(new Vector3Int(9, 8, 7), spacing, 0.02f * spacing, 3);
+        private static FluidParticle[] Block(float spacing = Spacing) =>
+            ParticleSets.Lattice(new Vector3Int(9, 8, 7), spacing, 0.02f * spacing, 3);
 
         [Test]
         public void AStepTenTimesTooLong()
@@ -57,7 +60,9 @@ namespace SphFluid.Tests
             {
                 FluidParticle[] start = Block();
                 Vector3 centre = 0.3f * Spacing * Vector3.one; // its faces cut through the lattice
-                bool IsIn(FluidParticle p) => Mathf.Max(Mathf.Abs(p.Position.x - centre.x), Mathf.Max(Mathf.Abs(p.Position.y - centre.y), Mathf.Abs(p.Position.z - centre.z))) < 0.5f * size;
+                bool IsIn(FluidParticle p) =>
+                    Mathf.Max(Mathf.Abs(p.Position.x - centre.x),
+                        Mathf.Max(Mathf.Abs(p.Position.y - centre.y), Mathf.Abs(p.Position.z - centre.z))) < 0.5f * size;
                 rig.AddBox(size * Vector3.one).localPosition = centre;
                 rig.Start(start);
                 rig.Frame(200);
@@ -86,7 +91,7 @@ namespace SphFluid.Tests
         }
 
         // The findings of a run, looked at before it, after a few steps and at its end.
-        IReadOnlyCollection<FluidFailure> Run(in FluidSolverSettings settings, FluidParticle[] particles, int steps)
+        private IReadOnlyCollection<FluidFailure> Run(in FluidSolverSettings settings, FluidParticle[] particles, int steps)
         {
             var found = new HashSet<FluidFailure>();
             using (var solver = new FluidSolver(settings, shaders, particles))
@@ -104,13 +109,14 @@ namespace SphFluid.Tests
             return found;
         }
 
-        static void AssertContained(FluidParticle[] particles, int count)
+        private static void AssertContained(FluidParticle[] particles, int count)
         {
             Assert.That(particles.Select(p => p.Id).Distinct().Count(), Is.EqualTo(count), "nobody is lost or doubled");
             Assert.That(particles.All(p => IsFinite(p.Position) && IsFinite(p.VelT0)), "no place and no speed is without a number");
-            Assert.That(particles.All(p => Mathf.Abs(p.Position.x) <= 0.5f * Domain.x && Mathf.Abs(p.Position.y) <= 0.5f * Domain.y && Mathf.Abs(p.Position.z) <= 0.5f * Domain.z));
+            Assert.That(particles.All(p => Mathf.Abs(p.Position.x) <= 0.5f * Domain.x && Mathf.Abs(p.Position.y) <= 0.5f * Domain.y &&
+                Mathf.Abs(p.Position.z) <= 0.5f * Domain.z));
         }
 
-        static bool IsFinite(Vector3 v) => !float.IsNaN(v.x + v.y + v.z) && !float.IsInfinity(v.x + v.y + v.z);
+        private static bool IsFinite(Vector3 v) => !float.IsNaN(v.x + v.y + v.z) && !float.IsInfinity(v.x + v.y + v.z);
     }
 }

@@ -7,10 +7,12 @@ using Object = UnityEngine.Object;
 
 namespace SphFluid.Tests
 {
-    /// <summary>Shots at triangles that move, turn, scale, shear and deform in the step: no path that the contact kernels let pass crosses one.</summary>
+    /// <summary>
+    /// Shots at triangles that move, turn, scale, shear and deform in the step: no path that the contact kernels let pass crosses one.
+    /// </summary>
     public sealed class StretchShotTests
     {
-        const float Spacing = 0.01f;
+        private const float Spacing = 0.01f;
 
         // Fans near the origin, soups and patches two metres off it, where floats are coarser.
         [TestCase(0f, 1, false)]
@@ -21,9 +23,10 @@ namespace SphFluid.Tests
 
         [Test]
         [Explicit("Four times as many shots: a minute.")]
-        public void NoShotOfManyCrosses([Values(0f, 2f)] float offset, [Values(0, 1, 2)] int kind, [Values] bool deforms) => Shoot(offset, kind, deforms, 4096);
+        public void NoShotOfManyCrosses([Values(0f, 2f)] float offset, [Values(0, 1, 2)] int kind, [Values] bool deforms) =>
+        Shoot(offset, kind, deforms, 4096);
 
-        static void Shoot(float offset, int kind, bool deforms, int count)
+        private static void Shoot(float offset, int kind, bool deforms, int count)
         {
             FluidSolverSettings settings = BodyRig.Water(new Vector3(2f * offset + 1.2f, 1.2f, 1.2f), Spacing, 0.3f);
             settings.TimeStep = 1e-3f;
@@ -96,20 +99,23 @@ namespace SphFluid.Tests
             Assert.That(crossings, Is.Zero, $"of {shots} shots");
         }
 
-        static Vector3 Scale(System.Random random, float reach)
+        private static Vector3 Scale(System.Random random, float reach)
         {
             Vector3 v = ParticleSets.RandomVector(random);
             return new Vector3(Mathf.Exp(reach * v.x), Mathf.Exp(reach * v.y), Mathf.Exp(reach * v.z));
         }
 
         // Corners at one place stay together.
-        static void Deform(Mesh mesh, float reach, System.Random random)
+        private static void Deform(Mesh mesh, float reach, System.Random random)
         {
             var moved = new Dictionary<Vector3, Vector3>();
             Vector3[] corners = mesh.vertices;
             for (int i = 0; i < corners.Length; i++)
             {
-                if (!moved.TryGetValue(corners[i], out Vector3 to)) moved.Add(corners[i], to = corners[i] + 6f * Spacing * reach * ParticleSets.RandomVector(random));
+                if (!moved.TryGetValue(corners[i], out Vector3 to))
+                {
+                    moved.Add(corners[i], to = corners[i] + 6f * Spacing * reach * ParticleSets.RandomVector(random));
+                }
                 corners[i] = to;
             }
             mesh.vertices = corners;
@@ -117,7 +123,7 @@ namespace SphFluid.Tests
         }
 
         // In the rigid frame, in double: there particle and corners go straight.
-        static long Crossings(BodyMotion motion, Vector4[] from, Vector4[] end, bool[] isSqueezed)
+        private static long Crossings(BodyMotion motion, Vector4[] from, Vector4[] end, bool[] isSqueezed)
         {
             AffineMap toFrame0 = Frame(motion.Rotation0, motion.Position0), toFrame1 = Frame(motion.Rotation1, motion.Position1);
             TriangleMesh mesh = motion.Mesh;
@@ -136,7 +142,10 @@ namespace SphFluid.Tests
                 for (int t = 0; t < mesh.TriangleCount; t++)
                 {
                     int a = mesh.Indices[3 * t], b = mesh.Indices[3 * t + 1], c = mesh.Indices[3 * t + 2];
-                    if (!MovingTriangle.Crosses(x0, x1, new[] { starts[a], starts[b], starts[c] }, new[] { ends[a], ends[b], ends[c] })) continue;
+                    if (!MovingTriangle.Crosses(x0, x1, new[] { starts[a], starts[b], starts[c] }, new[] { ends[a], ends[b], ends[c] }))
+                    {
+                        continue;
+                    }
                     crossings++;
                     break;
                 }
@@ -144,7 +153,7 @@ namespace SphFluid.Tests
             return crossings;
         }
 
-        static AffineMap Frame(Quaternion rotation, Vector3 position)
+        private static AffineMap Frame(Quaternion rotation, Vector3 position)
         {
             double x = rotation.x, y = rotation.y, z = rotation.z, w = rotation.w, s = 2.0 / (x * x + y * y + z * z + w * w);
             return new AffineMap(
@@ -153,7 +162,8 @@ namespace SphFluid.Tests
                 s * (x * z - y * w), s * (y * z + x * w), 1 - s * (x * x + y * y), position.x, position.y, position.z).Inverse;
         }
 
-        static Double3 At(in AffineMap m, Vector3 p) => new Double3(
-            m.M00 * p.x + m.M01 * p.y + m.M02 * p.z + m.X, m.M10 * p.x + m.M11 * p.y + m.M12 * p.z + m.Y, m.M20 * p.x + m.M21 * p.y + m.M22 * p.z + m.Z);
+        private static Double3 At(in AffineMap m, Vector3 p) => new Double3(
+            m.M00 * p.x + m.M01 * p.y + m.M02 * p.z + m.X, m.M10 * p.x + m.M11 * p.y + m.M12 * p.z + m.Y,
+            m.M20 * p.x + m.M21 * p.y + m.M22 * p.z + m.Z);
     }
 }

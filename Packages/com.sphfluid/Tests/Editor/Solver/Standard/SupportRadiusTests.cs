@@ -7,7 +7,7 @@ namespace SphFluid.Tests
     /// <summary>The kernel ends at the support radius, and so does every force.</summary>
     public sealed class SupportRadiusTests
     {
-        const float Spacing = 0.05f;
+        private const float Spacing = 0.05f;
 
         // Two particles in free space that pass each other: there is no pressure, so what they feel is viscosity.
         [TestCase(0.5f, true)]

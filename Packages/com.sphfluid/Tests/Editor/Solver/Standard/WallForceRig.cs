@@ -8,7 +8,7 @@ namespace SphFluid.Tests
     /// <summary>A liquid of the Standard method with rectangles on its walls.</summary>
     internal sealed class WallForceRig : IDisposable
     {
-        readonly StandardRig liquid;
+        private readonly StandardRig liquid;
 
         public WallForceRig(in FluidSolverSettings settings, FluidParticle[] particles)
         {
@@ -23,9 +23,12 @@ namespace SphFluid.Tests
         public WallForces Forces => liquid.Solver.WallForces;
 
         /// <summary>A rectangle with a normal, its edges along the axes that follow that of the normal.</summary>
-        public WallPatch Add(Vector3 centre, Vector3 normal, float width, float height) => Forces.Add(centre, Facing(normal), new Vector2(width, height));
+        public WallPatch Add(Vector3 centre, Vector3 normal, float width, float height) =>
+            Forces.Add(centre, Facing(normal), new Vector2(width, height));
 
-        /// <summary>Rectangles on the six faces of the domain that reach a support radius beyond them: low x, high x, low y and so on.</summary>
+        /// <summary>
+        /// Rectangles on the six faces of the domain that reach a support radius beyond them: low x, high x, low y and so on.
+        /// </summary>
         public WallPatch[] AddFaces()
         {
             Vector3 half = 0.5f * Solver.Settings.DomainSize;
@@ -40,7 +43,8 @@ namespace SphFluid.Tests
             return faces;
         }
 
-        public static Quaternion Facing(Vector3 normal) => Quaternion.LookRotation(normal, Mathf.Abs(normal.y) < 0.9f ? Vector3.up : Vector3.forward);
+        public static Quaternion Facing(Vector3 normal) =>
+            Quaternion.LookRotation(normal, Mathf.Abs(normal.y) < 0.9f ? Vector3.up : Vector3.forward);
 
         public void Frame(int steps)
         {

@@ -9,8 +9,8 @@ namespace SphFluid.Tests
     /// <summary>Sums of what walls do to the liquid, against the liquid's own momentum and against sums in double precision.</summary>
     public sealed class WallForceTests
     {
-        const float Spacing = 0.05f;
-        const float TimeStep = 1e-4f;
+        private const float Spacing = 0.05f;
+        private const float TimeStep = 1e-4f;
 
         // Nobody has a neighbour, so that all that changes a velocity is a face, by pressure or by the shell.
         [Test]
@@ -22,8 +22,10 @@ namespace SphFluid.Tests
                 FluidParticle[] start = rig.FillSorted(ParticleSets.Random(count, settings.DomainSize, 40f, 6));
                 rig.State.List.Counts.SetData(new uint[Math.Max(count, 1)]);
                 rig.SetTerms(Enumerable.Range(0, count).Select(i => new Vector2(settings.RestDensity, 1e-3f * (i % 7))).ToArray());
-                WallPatch[] patches = MovedOver(rig, out Vector4[] velocities, new WallPlan(new Vector3(-0.3f, 0.04f, -0.1f), Vector3.right, new Vector2(0.31f, 0.17f)),
-                    new WallPlan(new Vector3(0.3f, -0.1f, 0f), Vector3.left, new Vector2(2f, 2f)), new WallPlan(new Vector3(0.05f, -0.25f, 0.02f), Vector3.up, new Vector2(0.02f, 0.4f)));
+                WallPatch[] patches = MovedOver(rig, out Vector4[] velocities,
+                    new WallPlan(new Vector3(-0.3f, 0.04f, -0.1f), Vector3.right, new Vector2(0.31f, 0.17f)),
+                    new WallPlan(new Vector3(0.3f, -0.1f, 0f), Vector3.left, new Vector2(2f, 2f)),
+                    new WallPlan(new Vector3(0.05f, -0.25f, 0.02f), Vector3.up, new Vector2(0.02f, 0.4f)));
                 double step = TimeStep, push = settings.RestDensity / StandardReference.Response(settings) * step;
                 foreach (WallPatch patch in patches)
                 {
@@ -39,7 +41,8 @@ namespace SphFluid.Tests
                         size += Math.Abs(share);
                     }
 
-                    Assert.That(patch.Impulse, Is.EqualTo(settings.ParticleMass * sum).Within(settings.ParticleMass * (2e-6 * size + 1e-7)));
+                    Assert.That(patch.Impulse,
+                        Is.EqualTo(settings.ParticleMass * sum).Within(settings.ParticleMass * (2e-6 * size + 1e-7)));
                     if (count > 256) Assert.That(size, Is.GreaterThan(0.01), "something is there");
                     Assert.That(patch.Seconds, Is.EqualTo(step).Within(1e-6).Percent);
                 }
@@ -58,26 +61,34 @@ namespace SphFluid.Tests
             {
                 FluidParticle[] corner = ParticleSets.Random(count, Vector3.one, 20f, 5);
                 for (int i = 0; i < count; i++)
-                    corner[i].Position = (0.1f + (float)random.NextDouble()) * Spacing * first + (0.1f + (float)random.NextDouble()) * Spacing * second + 0.4f * (float)(random.NextDouble() - 0.5) * Vector3.forward;
+                {
+                    corner[i].Position = (0.1f + (float)random.NextDouble()) * Spacing * first +
+                        (0.1f + (float)random.NextDouble()) * Spacing * second +
+                        0.4f * (float)(random.NextDouble() - 0.5) * Vector3.forward;
+                }
                 FluidParticle[] start = rig.FillSorted(corner);
                 rig.State.List.Counts.SetData(new uint[count]);
-                WalledStateRig.SetWalls(rig, start.Select(p => StoredWall.Pack(p.Position, false, 0.3f, new[] { -0.9f / Spacing * first, -0.4f / Spacing * second },
+                WalledStateRig.SetWalls(rig,
+                    start.Select(p => StoredWall.Pack(p.Position, false, 0.3f, new[] { -0.9f / Spacing * first, -0.4f / Spacing * second },
                     (first, Vector3.Dot(p.Position, first)), (second, Vector3.Dot(p.Position, second)))).ToList());
                 rig.SetTerms(Enumerable.Range(0, count).Select(i => new Vector2(settings.RestDensity, 1e-3f * (1 + i % 7))).ToArray());
-                WallPatch[] patches = MovedOver(rig, out Vector4[] velocities, new WallPlan(Vector3.zero, first, new Vector2(2f, 2f)), new WallPlan(Vector3.zero, second, new Vector2(0.17f, 2f)));
+                WallPatch[] patches = MovedOver(rig, out Vector4[] velocities, new WallPlan(Vector3.zero, first, new Vector2(2f, 2f)),
+                    new WallPlan(Vector3.zero, second, new Vector2(0.17f, 2f)));
                 foreach (WallPatch patch in patches)
                 {
                     Vector3 normal = patch.Rotation * Vector3.forward;
                     double sum = 0.0, size = 0.0;
                     for (int i = 0; i < count; i++)
                     {
-                        double share = Share(patch, start[i].Position, settings.Spacing) * Double3.Dot((Double3)(Vector3)velocities[i] - (Double3)start[i].VelT0, (Double3)normal);
+                        double share = Share(patch, start[i].Position, settings.Spacing) *
+                            Double3.Dot((Double3)(Vector3)velocities[i] - (Double3)start[i].VelT0, (Double3)normal);
                         sum += share;
                         size += Math.Abs(share);
                     }
 
                     // Normals are stored to 3e-5.
-                    Assert.That(patch.Impulse, Is.EqualTo(settings.ParticleMass * sum).Within(settings.ParticleMass * (5e-4 * size + 1e-6)));
+                    Assert.That(patch.Impulse,
+                        Is.EqualTo(settings.ParticleMass * sum).Within(settings.ParticleMass * (5e-4 * size + 1e-6)));
                 }
             }
         }
@@ -102,11 +113,17 @@ namespace SphFluid.Tests
             }
 
             double tolerance = isViscous ? 2e-3 : 2e-4; // the equations of viscosity are solved to a few digits
-            using (var rig = new WallForceRig(settings, WallForceRig.Block(new Vector3Int(5, 6, 6), Spacing, new Vector3(-0.3f, -0.15f, -0.15f), new Vector3(4f, 0.5f, 0f))))
+            using (var rig = new WallForceRig(settings,
+                WallForceRig.Block(new Vector3Int(5, 6, 6), Spacing, new Vector3(-0.3f, -0.15f, -0.15f), new Vector3(4f, 0.5f, 0f))))
             {
                 WallPatch[] faces = rig.AddFaces();
                 WallPatch front = rig.Add(new Vector3(0.1f, 0f, 0f), Vector3.left, 4f, 4f);
-                if (onMesh) rig.Obstacles.Add(TriangleMesh.Box(Matrix4x4.TRS(new Vector3(0.2f, 0f, 0f), Quaternion.identity, new Vector3(0.2f, 2f, 2f))), Matrix4x4.identity, 0f);
+                if (onMesh)
+                {
+                    rig.Obstacles
+                        .Add(TriangleMesh.Box(Matrix4x4.TRS(new Vector3(0.2f, 0f, 0f), Quaternion.identity, new Vector3(0.2f, 2f, 2f))),
+                            Matrix4x4.identity, 0f);
+                }
                 Double3 before = rig.Momentum();
                 for (int frame = 0; frame < 8; frame++) rig.Frame(20);
                 rig.Forces.Complete();
@@ -116,7 +133,8 @@ namespace SphFluid.Tests
                 Assert.That(high.Impulse - faces[0].Impulse, Is.EqualTo(gone.X).Within(tolerance * before.X));
                 Assert.That(faces[3].Impulse - faces[2].Impulse, Is.EqualTo(gone.Y).Within(tolerance * before.X));
                 Assert.That(rig.Solver.ReadCountersNow().ImpulseLimits, Is.Zero);
-                Assert.That(high.PeakPressure(0.002, 1000), Is.GreaterThan(3.0 * high.MeanPressure(rig.Solver.SimulatedTime)), "a hit is short");
+                Assert.That(high.PeakPressure(0.002, 1000), Is.GreaterThan(3.0 * high.MeanPressure(rig.Solver.SimulatedTime)),
+                    "a hit is short");
             }
         }
 
@@ -128,10 +146,12 @@ namespace SphFluid.Tests
             settings.Gravity = Vector3.zero;
             settings.Boundaries = new FluidBoundaries { Periodic = FluidAxes.Z };
             var counts = new Vector3Int(5, 6, Mathf.RoundToInt(across / Spacing));
-            using (var rig = new WallForceRig(settings, WallForceRig.Block(counts, Spacing, new Vector3(-0.3f, -0.15f, -0.5f * across), new Vector3(4f, 0f, 0f))))
+            using (var rig = new WallForceRig(settings,
+                WallForceRig.Block(counts, Spacing, new Vector3(-0.3f, -0.15f, -0.5f * across), new Vector3(4f, 0f, 0f))))
             {
                 WallPatch front = rig.Forces.Add(new Vector3(0.4f, 0f, 0.07f), WallForceRig.Facing(Vector3.left), new Vector2(across, 4f));
-                WallPatch back = rig.Forces.Add(new Vector3(-0.4f, 0f, -0.04f), WallForceRig.Facing(Vector3.right), new Vector2(across, 4f));
+                WallPatch back =
+                    rig.Forces.Add(new Vector3(-0.4f, 0f, -0.04f), WallForceRig.Facing(Vector3.right), new Vector2(across, 4f));
                 Double3 before = rig.Momentum();
                 for (int frame = 0; frame < 8; frame++) rig.Frame(20);
                 rig.Forces.Complete();
@@ -146,7 +166,8 @@ namespace SphFluid.Tests
             var domain = new Vector3(1.2f, 0.5f, 0.5f);
             FluidSolverSettings settings = BodyRig.Water(domain, Spacing, 0.3f, 4f);
             settings.Gravity = Vector3.zero;
-            using (var rig = new WallForceRig(settings, WallForceRig.Block(new Vector3Int(4, 6, 6), Spacing, new Vector3(-0.35f, -0.15f, -0.15f), Vector3.zero)))
+            using (var rig = new WallForceRig(settings,
+                WallForceRig.Block(new Vector3Int(4, 6, 6), Spacing, new Vector3(-0.35f, -0.15f, -0.15f), Vector3.zero)))
             {
                 int plate = rig.Obstacles.Add(TriangleMesh.Box(Matrix4x4.Scale(new Vector3(0.1f, 2f, 2f))), At(0f), 0f);
                 WallPatch face = rig.Add(new Vector3(-0.4f, 0f, 0f), Vector3.right, 4f, 4f);
@@ -162,7 +183,8 @@ namespace SphFluid.Tests
 
                 rig.Forces.Complete();
                 double momentum = rig.Momentum().X;
-                Assert.That(momentum, Is.GreaterThan(0.5 * 4 * 36 * settings.ParticleMass * 0.05 / (20 * settings.TimeStep)), "the plate pushes the liquid");
+                Assert.That(momentum, Is.GreaterThan(0.5 * 4 * 36 * settings.ParticleMass * 0.05 / (20 * settings.TimeStep)),
+                    "the plate pushes the liquid");
                 Assert.That(face.Impulse, Is.EqualTo(momentum).Within(2e-3 * momentum));
             }
         }
@@ -174,9 +196,12 @@ namespace SphFluid.Tests
             FluidParticle[] Run(bool read)
             {
                 FluidSolverSettings settings = BodyRig.Water(new Vector3(0.5f, 0.5f, 0.5f), Spacing, 0.3f);
-                using (var rig = new WallForceRig(settings, WallForceRig.Block(new Vector3Int(5, 6, 6), Spacing, -0.25f * Vector3.one, Vector3.right)))
+                using (var rig =
+                    new WallForceRig(settings, WallForceRig.Block(new Vector3Int(5, 6, 6), Spacing, -0.25f * Vector3.one, Vector3.right)))
                 {
-                    rig.Obstacles.Add(TriangleMesh.Box(Matrix4x4.TRS(new Vector3(0f, -0.2f, 0f), Quaternion.Euler(0f, 30f, 0f), 0.1f * Vector3.one)), Matrix4x4.identity);
+                    rig.Obstacles
+                        .Add(TriangleMesh.Box(Matrix4x4.TRS(new Vector3(0f, -0.2f, 0f), Quaternion.Euler(0f, 30f, 0f), 0.1f * Vector3.one)),
+                            Matrix4x4.identity);
                     if (read) rig.AddFaces();
                     rig.Frame(25);
                     return rig.Particles().OrderBy(p => p.Id).ToArray();
@@ -189,9 +214,9 @@ namespace SphFluid.Tests
             Assert.That(with.Zip(without, (a, b) => (a.VelT0 - b.VelT0).magnitude).Max(), Is.LessThan(1e-3f), "of 1 m/s");
         }
 
-        static Matrix4x4 At(float gone) => Matrix4x4.Translate(new Vector3(-0.45f + gone, 0f, 0f));
+        private static Matrix4x4 At(float gone) => Matrix4x4.Translate(new Vector3(-0.45f + gone, 0f, 0f));
 
-        static FluidSolverSettings Still(Vector3 domain)
+        private static FluidSolverSettings Still(Vector3 domain)
         {
             FluidSolverSettings settings = StandardStateRig.Water(domain, Spacing);
             settings.Gravity = Vector3.zero;
@@ -200,7 +225,7 @@ namespace SphFluid.Tests
         }
 
         // Records a single step of MoveParticles with patches, and hands out the velocities after it.
-        static WallPatch[] MovedOver(StandardStateRig rig, out Vector4[] velocities, params WallPlan[] plans)
+        private static WallPatch[] MovedOver(StandardStateRig rig, out Vector4[] velocities, params WallPlan[] plans)
         {
             var forces = new WallForces(rig.Shaders);
             rig.State.WallForces = forces;
@@ -221,7 +246,7 @@ namespace SphFluid.Tests
         }
 
         // Part of the square that a particle stands on that lies on a patch.
-        static double Share(WallPatch patch, Vector3 position, double edge)
+        private static double Share(WallPatch patch, Vector3 position, double edge)
         {
             var d = (Double3)position - (Double3)patch.Centre;
             double Along(Vector3 axis, double length)
@@ -233,7 +258,7 @@ namespace SphFluid.Tests
             return Along(Vector3.right, patch.Size.x) * Along(Vector3.up, patch.Size.y);
         }
 
-        readonly struct WallPlan
+        private readonly struct WallPlan
         {
             public readonly Vector3 Centre, Normal;
             public readonly Vector2 Size;

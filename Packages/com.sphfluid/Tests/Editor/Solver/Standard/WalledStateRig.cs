@@ -20,7 +20,8 @@ namespace SphFluid.Tests
             return Create(settings, mesh, 1f, count, out bodies);
         }
 
-        static StandardStateRig Create(in FluidSolverSettings settings, Mesh mesh, float scale, int count, out CollisionBodies bodies)
+        private static StandardStateRig Create(in FluidSolverSettings settings, Mesh mesh, float scale, int count,
+            out CollisionBodies bodies)
         {
             var rig = new StandardStateRig(settings, count);
             bodies = new CollisionBodies(settings);

@@ -8,10 +8,11 @@ namespace SphFluid.Tests
     /// <summary>Where rectangles on walls are in a step, and what a script can ask of them.</summary>
     public sealed class PlaceWallPatchesTests
     {
-        const float Spacing = 0.05f;
+        private const float Spacing = 0.05f;
 
         // The buffer that the kernels read: Centre, half an edge, Right, half an edge, Up, depth, count, place of the sums.
-        static Vector3 At(float[] words, int patch, int word) => new Vector3(words[16 * patch + word], words[16 * patch + word + 1], words[16 * patch + word + 2]);
+        private static Vector3 At(float[] words, int patch, int word) =>
+            new Vector3(words[16 * patch + word], words[16 * patch + word + 1], words[16 * patch + word + 2]);
 
         [Test]
         public void PatchesStandAsAsked([Values(1, 2, 63, 64)] int count)
@@ -20,7 +21,10 @@ namespace SphFluid.Tests
             using (WallForceRig rig = Rig())
             {
                 for (int i = 0; i < count; i++)
-                    rig.Forces.Add(ParticleSets.RandomVector(random), ParticleSets.RandomRotation(random), new Vector2(0.1f + i, 0.2f + i), i % 2 == 0 ? 0f : 0.3f);
+                {
+                    rig.Forces.Add(ParticleSets.RandomVector(random), ParticleSets.RandomRotation(random), new Vector2(0.1f + i, 0.2f + i),
+                        i % 2 == 0 ? 0f : 0.3f);
+                }
                 rig.Frame(1);
                 float[] words = GpuTest.Read<float>(rig.Forces.Placed, 16 * count);
                 uint[] bits = GpuTest.Read<uint>(rig.Forces.Placed, 16 * count);
@@ -47,11 +51,13 @@ namespace SphFluid.Tests
                 Matrix4x4 after = Matrix4x4.TRS(new Vector3(0.15f, -0.05f, 0.02f), Quaternion.Euler(0f, 10f, 25f), Vector3.one);
                 int plate = rig.Obstacles.Add(TriangleMesh.Box(Matrix4x4.Scale(new Vector3(0.1f, 0.3f, 0.3f))), before);
                 WallPatch still = rig.Forces.Add(Vector3.zero, Quaternion.identity, Vector2.one);
-                WallPatch carried = rig.Forces.Add(before.MultiplyPoint3x4(new Vector3(0.05f, 0.1f, 0f)), before.rotation * Quaternion.Euler(0f, 90f, 0f), Vector2.one);
+                WallPatch carried = rig.Forces.Add(before.MultiplyPoint3x4(new Vector3(0.05f, 0.1f, 0f)),
+                    before.rotation * Quaternion.Euler(0f, 90f, 0f), Vector2.one);
                 rig.Obstacles.Carry(plate, carried);
                 rig.Frame(1);
                 rig.Obstacles.MoveTo(plate, after);
-                rig.Forces.Move(carried, after.MultiplyPoint3x4(new Vector3(0.05f, 0.1f, 0f)), after.rotation * Quaternion.Euler(0f, 90f, 0f), Vector2.one);
+                rig.Forces.Move(carried, after.MultiplyPoint3x4(new Vector3(0.05f, 0.1f, 0f)),
+                    after.rotation * Quaternion.Euler(0f, 90f, 0f), Vector2.one);
                 rig.Frame(4);
                 // The motion is one of the frame that was simulation space at the start.
                 Matrix4x4 motion = after * before.inverse;
@@ -116,24 +122,34 @@ namespace SphFluid.Tests
             using (WallForceRig rig = Rig())
             {
                 WallForces forces = rig.Forces;
-                Assert.That(() => forces.Add(new Vector3(float.NaN, 0f, 0f), Quaternion.identity, Vector2.one), Throws.ArgumentException.With.Message.Contains("centre"));
-                Assert.That(() => forces.Add(Vector3.zero, default, Vector2.one), Throws.ArgumentException.With.Message.Contains("quaternion"));
-                Assert.That(() => forces.Add(Vector3.zero, Quaternion.identity, new Vector2(1f, 0f)), Throws.ArgumentException.With.Message.Contains("edge lengths"));
-                Assert.That(() => forces.Add(Vector3.zero, Quaternion.identity, Vector2.one, -1f), Throws.ArgumentException.With.Message.Contains("depth"));
-                WallPatch[] all = Enumerable.Range(0, WallForces.Most).Select(_ => forces.Add(Vector3.zero, Quaternion.identity, Vector2.one)).ToArray();
-                Assert.That(() => forces.Add(Vector3.zero, Quaternion.identity, Vector2.one), Throws.InvalidOperationException.With.Message.Contains("64"));
+                Assert.That(() => forces.Add(new Vector3(float.NaN, 0f, 0f), Quaternion.identity, Vector2.one),
+                    Throws.ArgumentException.With.Message.Contains("centre"));
+                Assert.That(() => forces.Add(Vector3.zero, default, Vector2.one),
+                    Throws.ArgumentException.With.Message.Contains("quaternion"));
+                Assert.That(() => forces.Add(Vector3.zero, Quaternion.identity, new Vector2(1f, 0f)),
+                    Throws.ArgumentException.With.Message.Contains("edge lengths"));
+                Assert.That(() => forces.Add(Vector3.zero, Quaternion.identity, Vector2.one, -1f),
+                    Throws.ArgumentException.With.Message.Contains("depth"));
+                WallPatch[] all = Enumerable.Range(0, WallForces.Most)
+                    .Select(_ => forces.Add(Vector3.zero, Quaternion.identity, Vector2.one)).ToArray();
+                Assert.That(() => forces.Add(Vector3.zero, Quaternion.identity, Vector2.one),
+                    Throws.InvalidOperationException.With.Message.Contains("64"));
                 forces.Remove(all[3]);
                 forces.Add(Vector3.zero, Quaternion.identity, Vector2.one);
-                Assert.That(() => forces.Move(all[3], Vector3.zero, Quaternion.identity, Vector2.one), Throws.ArgumentException.With.Message.Contains("removed"));
+                Assert.That(() => forces.Move(all[3], Vector3.zero, Quaternion.identity, Vector2.one),
+                    Throws.ArgumentException.With.Message.Contains("removed"));
             }
 
-            using (var thesis = new FluidSolver(TestSettings.ByRule(Vector3.one, 0.2f), TestShaders.CreateSet(), new[] { new FluidParticle(Vector3.zero, Vector3.zero, 0u) }))
+            using (var thesis = new FluidSolver(TestSettings.ByRule(Vector3.one, 0.2f), TestShaders.CreateSet(),
+                new[] { new FluidParticle(Vector3.zero, Vector3.zero, 0u) }))
             {
                 Assert.That(thesis.MeasuresWallForces, Is.False);
                 Assert.That(() => thesis.WallForces, Throws.InstanceOf<NotSupportedException>().With.Message.Contains("Standard"));
             }
         }
 
-        static WallForceRig Rig() => new WallForceRig(BodyRig.Water(Vector3.one, Spacing, 0.3f, 3f), new[] { new FluidParticle(new Vector3(0.4f, 0.4f, 0.4f), Vector3.zero, 0u) });
+        private static WallForceRig Rig() =>
+            new WallForceRig(BodyRig.Water(Vector3.one, Spacing, 0.3f, 3f),
+                new[] { new FluidParticle(new Vector3(0.4f, 0.4f, 0.4f), Vector3.zero, 0u) });
     }
 }

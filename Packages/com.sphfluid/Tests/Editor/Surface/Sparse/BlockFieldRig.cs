@@ -7,11 +7,11 @@ using UnityEngine.Rendering;
 namespace SphFluid.Tests
 {
     /// <summary>A liquid, its blocks and their samples as read back.</summary>
-    sealed class BlockFieldRig : IDisposable
+    internal sealed class BlockFieldRig : IDisposable
     {
-        const int EnoughBlocks = 4096;
+        private const int EnoughBlocks = 4096;
 
-        readonly FluidShaderSet shaders;
+        private readonly FluidShaderSet shaders;
 
         public BlockFieldRig(FluidShaderSet shaders, in FluidSolverSettings settings, FluidParticle[] particles)
         {
@@ -89,16 +89,14 @@ namespace SphFluid.Tests
             {
                 var local = new Vector3Int(cube % 8, cube / 8 % 8, cube / 64);
                 Vector3Int origin = block * 8 - Vector3Int.one + local;
-                if (origin.x > cells.x || origin.y > cells.y || origin.z > cells.z)
-                    continue;
+                if (origin.x > cells.x || origin.y > cells.y || origin.z > cells.z) continue;
                 int inside = 0;
                 for (int corner = 0; corner < 8; corner++)
                 {
                     Vector3Int at = local + new Vector3Int(corner & 1, corner >> 1 & 1, corner >> 2);
                     inside += samples[(at.z * 9 + at.y) * 9 + at.x] >= iso ? 1 : 0;
                 }
-                if (inside > 0 && inside < 8)
-                    return true;
+                if (inside > 0 && inside < 8) return true;
             }
             return false;
         }
@@ -110,9 +108,9 @@ namespace SphFluid.Tests
             Blocks.Dispose();
         }
 
-        SurfaceInput Input(in SurfaceFieldSettings settings, SurfaceGrid grid, bool wallsClosed) =>
+        private SurfaceInput Input(in SurfaceFieldSettings settings, SurfaceGrid grid, bool wallsClosed) =>
             new SurfaceInput(Solver, settings, grid, wallsClosed ? SurfaceWalls.Closed : SurfaceWalls.Open, Blocks);
 
-        static int Volume(Vector3Int counts) => counts.x * counts.y * counts.z;
+        private static int Volume(Vector3Int counts) => counts.x * counts.y * counts.z;
     }
 }

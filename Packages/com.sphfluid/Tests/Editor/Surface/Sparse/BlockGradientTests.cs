@@ -10,13 +10,13 @@ namespace SphFluid.Tests
     /// </summary>
     public sealed class BlockGradientTests
     {
-        const float Iso = 0.5f;
+        private const float Iso = 0.5f;
 
-        static readonly Vector3Int Cells = new Vector3Int(30, 29, 31); // 4 x 4 x 5 blocks
+        private static readonly Vector3Int Cells = new Vector3Int(30, 29, 31); // 4 x 4 x 5 blocks
 
-        Vector3Int counts;
-        float[] values;
-        HashSet<Vector3Int> active;
+        private Vector3Int counts;
+        private float[] values;
+        private HashSet<Vector3Int> active;
 
         [TestCase(1, 0.5)]
         [TestCase(2, 0.3)]
@@ -32,7 +32,9 @@ namespace SphFluid.Tests
             active = new HashSet<Vector3Int>();
             for (int i = 0; i < counts.x * counts.y * counts.z; i++)
                 if (random.NextDouble() < share)
+                {
                     active.Add(new Vector3Int(i % counts.x, i / counts.x % counts.y, i / (counts.x * counts.y)));
+                }
             using (var rig = new BlockPolygonRig(SurfaceTestScene.LoadShaders(), grid, Value, active.Contains))
             {
                 uint[] table = GpuTest.Read<uint>(rig.Blocks.Table, rig.Blocks.BlockCount);
@@ -62,10 +64,10 @@ namespace SphFluid.Tests
             }
         }
 
-        float Value(Vector3Int s) => values[(s.z * (Cells.y + 1) + s.y) * (Cells.x + 1) + s.x];
+        private float Value(Vector3Int s) => values[(s.z * (Cells.y + 1) + s.y) * (Cells.x + 1) + s.x];
 
         // The edge of the grid that a vertex is on; false in the ring.
-        static bool TryFindEdge(Vector3 p, out Vector3Int a, out Vector3Int b)
+        private static bool TryFindEdge(Vector3 p, out Vector3Int a, out Vector3Int b)
         {
             a = b = Vector3Int.FloorToInt(p + 1e-3f * Vector3.one);
             int axes = 0;
@@ -80,7 +82,7 @@ namespace SphFluid.Tests
             return true;
         }
 
-        Vector3 Gradient(Vector3Int s, out bool isWhole)
+        private Vector3 Gradient(Vector3Int s, out bool isWhole)
         {
             Vector3 gradient = default;
             isWhole = true;
@@ -96,7 +98,7 @@ namespace SphFluid.Tests
         }
 
         // Block b holds the samples 8 b - 1 to 8 b + 7 along each axis: 7 is in blocks 0 and 1.
-        bool IsKnown(Vector3Int s)
+        private bool IsKnown(Vector3Int s)
         {
             if (s != Vector3Int.Max(Vector3Int.zero, Vector3Int.Min(s, Cells))) return false;
             for (int k = 0; k < 8; k++)

@@ -10,13 +10,13 @@ namespace SphFluid.Tests
     /// </summary>
     public sealed class BlockMarkingTests
     {
-        const float Spacing = 0.05f;
-        static readonly Vector3Int Lattice = new Vector3Int(20, 16, 14);
-        static readonly Vector3 Domain = Spacing * (Vector3)Lattice;
+        private const float Spacing = 0.05f;
+        private static readonly Vector3Int Lattice = new Vector3Int(20, 16, 14);
+        private static readonly Vector3 Domain = Spacing * (Vector3)Lattice;
 
-        static readonly string[] States = { "pool", "splash", "film", "drops", "coincident", "full", "bubbles" };
+        private static readonly string[] States = { "pool", "splash", "film", "drops", "coincident", "full", "bubbles" };
 
-        FluidShaderSet shaders;
+        private FluidShaderSet shaders;
 
         [SetUp]
         public void SetUp() => shaders = SurfaceTestScene.LoadShaders();
@@ -78,21 +78,21 @@ namespace SphFluid.Tests
             }
         }
 
-        static Vector3Int BlockHolding(SurfaceGrid grid, Vector3 position)
+        private static Vector3Int BlockHolding(SurfaceGrid grid, Vector3 position)
         {
             Vector3 cell = grid.CellSize, from = position - grid.Minimum;
             return new Vector3Int(((int)(from.x / cell.x) + 1) / 8, ((int)(from.y / cell.y) + 1) / 8,
                 ((int)(from.z / cell.z) + 1) / 8);
         }
 
-        static FluidSolverSettings Settings()
+        private static FluidSolverSettings Settings()
         {
             FluidSolverSettings settings = TestSettings.ByRule(Domain, Spacing);
             settings.OctantSearch = false;
             return settings;
         }
 
-        void AssertCovered(FluidParticle[] particles, in FluidSolverSettings settings, in SurfaceFieldSettings field,
+        private void AssertCovered(FluidParticle[] particles, in FluidSolverSettings settings, in SurfaceFieldSettings field,
             SurfaceGrid grid)
         {
             using (var rig = new BlockFieldRig(shaders, settings, particles))
@@ -103,8 +103,7 @@ namespace SphFluid.Tests
                 int crossed = 0, missed = 0;
                 foreach (KeyValuePair<Vector3Int, float[]> block in rig.Read())
                 {
-                    if (!BlockFieldRig.IsCrossed(block.Key, block.Value, field.IsoValue, grid.Cells))
-                        continue;
+                    if (!BlockFieldRig.IsCrossed(block.Key, block.Value, field.IsoValue, grid.Cells)) continue;
                     crossed++;
                     missed += marked.Contains(block.Key) ? 0 : 1;
                 }
@@ -113,7 +112,7 @@ namespace SphFluid.Tests
             }
         }
 
-        static FluidParticle[] State(string name)
+        private static FluidParticle[] State(string name)
         {
             var random = new System.Random(5);
             switch (name)
@@ -138,16 +137,15 @@ namespace SphFluid.Tests
             }
         }
 
-        static FluidParticle[] Jittered(float jitter) => ParticleSets.Lattice(Lattice, Spacing, jitter * Spacing, 3);
+        private static FluidParticle[] Jittered(float jitter) => ParticleSets.Lattice(Lattice, Spacing, jitter * Spacing, 3);
 
-        static FluidParticle[] Pool(int layers, float jitter) =>
+        private static FluidParticle[] Pool(int layers, float jitter) =>
             Array.FindAll(Jittered(jitter), p => p.Position.y < -0.5f * Domain.y + layers * Spacing);
 
-        static FluidParticle[] With(FluidParticle[] particles, int count, Func<int, Vector3> position)
+        private static FluidParticle[] With(FluidParticle[] particles, int count, Func<int, Vector3> position)
         {
             var all = new List<FluidParticle>(particles);
-            for (int i = 0; i < count; i++)
-                all.Add(new FluidParticle(position(i), Vector3.zero, (uint)(all.Count + 100000)));
+            for (int i = 0; i < count; i++) all.Add(new FluidParticle(position(i), Vector3.zero, (uint)(all.Count + 100000)));
             return all.ToArray();
         }
     }

@@ -7,14 +7,14 @@ namespace SphFluid.Tests
     /// <summary>
     /// The polygoniser of the sparse surface on samples that are written by hand into every block of a grid.
     /// </summary>
-    sealed class BlockPolygonRig : IDisposable
+    internal sealed class BlockPolygonRig : IDisposable
     {
-        const float Iso = 0.5f;
-        const int Plenty = 1 << 20;
+        private const float Iso = 0.5f;
+        private const int Plenty = 1 << 20;
 
-        readonly SurfaceGrid grid;
-        readonly SurfaceWalls walls;
-        readonly SurfacePasses passes;
+        private readonly SurfaceGrid grid;
+        private readonly SurfaceWalls walls;
+        private readonly SurfacePasses passes;
 
         /// <summary>
         /// Fills the blocks that are active, all by default, from the field's values at grid vertices; the ring around
@@ -38,7 +38,7 @@ namespace SphFluid.Tests
         public SurfaceTriangles Triangles { get; } = new SurfaceTriangles();
 
         // Without particles: the samples are there.
-        SurfaceInput Input =>
+        private SurfaceInput Input =>
             new SurfaceInput(null, SurfaceFieldSettings.Thesis(default, grid, Iso), grid, walls, Blocks);
 
         public void RecordCount(CommandBuffer cmd) => passes.RecordCount(cmd, Input);
@@ -65,7 +65,7 @@ namespace SphFluid.Tests
             Blocks.Dispose();
         }
 
-        void Upload(Func<Vector3Int, float> value, Predicate<Vector3Int> isActive)
+        private void Upload(Func<Vector3Int, float> value, Predicate<Vector3Int> isActive)
         {
             Vector3Int counts = Blocks.Counts;
             var table = new uint[Blocks.BlockCount];
@@ -76,11 +76,12 @@ namespace SphFluid.Tests
             {
                 var block = new Vector3Int(number % counts.x, number / counts.x % counts.y,
                     number / (counts.x * counts.y));
-                if (!isActive(block))
-                    continue;
+                if (!isActive(block)) continue;
                 for (int i = 0; i < SurfaceBlocks.SamplesPerBlock; i++)
+                {
                     samples[slots * SurfaceBlocks.SamplesPerBlock + i] = Sample(BlockFieldRig.SampleAt(block, i),
                         value);
+                }
                 list[slots] = (uint)number;
                 table[number] = ++slots;
             }
@@ -95,7 +96,7 @@ namespace SphFluid.Tests
             Blocks.RoundArguments.SetData(new[] { slots, 1u, 1u });
         }
 
-        float Sample(Vector3Int s, Func<Vector3Int, float> value)
+        private float Sample(Vector3Int s, Func<Vector3Int, float> value)
         {
             bool inGrid = s == Vector3Int.Max(Vector3Int.zero, Vector3Int.Min(s, grid.Cells));
             return inGrid ? value(s) : 0f;

@@ -7,7 +7,7 @@ namespace SphFluid.Tests
     /// <summary>ClearSurfaceBlocks at awkward numbers of blocks.</summary>
     public sealed class ClearSurfaceBlocksTests
     {
-        const uint Canary = 99u;
+        private const uint Canary = 99u;
 
         // Fewer blocks than counters, a group less one, a group, one more, a prime, and more groups than a row of
         // blocks has.
@@ -54,15 +54,15 @@ namespace SphFluid.Tests
         }
 
         // 8 cells a block, less the two of the ring.
-        static Vector3Int RowOf(int blockCount) => new Vector3Int(8 * blockCount - 2, 1, 1);
+        private static Vector3Int RowOf(int blockCount) => new Vector3Int(8 * blockCount - 2, 1, 1);
 
-        static void Fill(SurfaceBlocks blocks, int entries)
+        private static void Fill(SurfaceBlocks blocks, int entries)
         {
             blocks.Table.SetData(Enumerable.Repeat(Canary, entries).ToArray());
             blocks.Counters.SetData(Enumerable.Repeat(77u, SurfaceCounters.Slots).ToArray());
         }
 
-        static void Clear(SurfaceBlocks blocks)
+        private static void Clear(SurfaceBlocks blocks)
         {
             var pass = new ClearSurfaceBlocksPass(SurfaceTestScene.LoadShaders());
             GpuTest.Run(cmd => pass.Record(cmd, blocks));

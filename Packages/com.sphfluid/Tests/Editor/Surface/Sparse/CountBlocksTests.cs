@@ -8,9 +8,9 @@ namespace SphFluid.Tests
     /// <summary>CountBlocks against a count over the samples on the CPU.</summary>
     public sealed class CountBlocksTests
     {
-        const float Iso = 0.5f;
+        private const float Iso = 0.5f;
 
-        FluidShaderSet shaders;
+        private FluidShaderSet shaders;
 
         [SetUp]
         public void SetUp() => shaders = SurfaceTestScene.LoadShaders();
@@ -61,7 +61,9 @@ namespace SphFluid.Tests
                 CollectionAssert.AreEquivalent(late.Select(b => Number(rig.Blocks, b)), list.Skip(active.Count));
                 uint[] table = GpuTest.Read<uint>(rig.Blocks.Table, rig.Blocks.BlockCount);
                 for (int slot = 0; slot < list.Length; slot++)
+                {
                     Assert.AreEqual(slot + 1, (int)table[list[slot]], $"slot of block {list[slot]}");
+                }
             }
         }
 
@@ -93,7 +95,7 @@ namespace SphFluid.Tests
         }
 
         // Ranges may come in any order, but follow each other without a gap.
-        static void AssertCounted(BlockPolygonRig rig, MarchingCubesReference reference, Vector3Int[] slots)
+        private static void AssertCounted(BlockPolygonRig rig, MarchingCubesReference reference, Vector3Int[] slots)
         {
             uint[] ranges = GpuTest.Read<uint>(rig.Blocks.Ranges, 4 * slots.Length);
             long vertices = 0, indices = 0;
@@ -117,7 +119,7 @@ namespace SphFluid.Tests
             Assert.AreEqual(indices, 3 * rig.Status().Triangles);
         }
 
-        static void AssertContiguous(IEnumerable<(uint First, uint Count)> ranges)
+        private static void AssertContiguous(IEnumerable<(uint First, uint Count)> ranges)
         {
             uint end = 0;
             foreach ((uint first, uint count) in ranges.Where(range => range.Count > 0).OrderBy(range => range.First))
@@ -128,7 +130,7 @@ namespace SphFluid.Tests
         }
 
         // Neighbours across faces that have polygonised samples on both sides of the surface.
-        static IEnumerable<Vector3Int> CrossedNeighbours(SurfaceBlocks blocks, MarchingCubesReference reference,
+        private static IEnumerable<Vector3Int> CrossedNeighbours(SurfaceBlocks blocks, MarchingCubesReference reference,
             Vector3Int block)
         {
             Vector3Int origin = 8 * block - Vector3Int.one;
@@ -139,8 +141,7 @@ namespace SphFluid.Tests
                 int axis = face / 2, step = face % 2 == 0 ? -1 : 1;
                 Vector3Int neighbour = block, low = first, high = last;
                 neighbour[axis] += step;
-                if (neighbour[axis] < 0 || neighbour[axis] >= blocks.Counts[axis])
-                    continue;
+                if (neighbour[axis] < 0 || neighbour[axis] >= blocks.Counts[axis]) continue;
                 low[axis] = high[axis] = step < 0 ? origin[axis] : origin[axis] + 8;
                 int inside = 0, count = 0;
                 foreach (Vector3Int s in MarchingCubesReference.Box(low, high + Vector3Int.one))
@@ -148,12 +149,11 @@ namespace SphFluid.Tests
                     inside += reference.IsInside(s) ? 1 : 0;
                     count++;
                 }
-                if (inside > 0 && inside < count)
-                    yield return neighbour;
+                if (inside > 0 && inside < count) yield return neighbour;
             }
         }
 
-        static MarchingCubesReference Noise(SurfaceGrid grid, SurfaceWalls walls, int seed, out float[] values)
+        private static MarchingCubesReference Noise(SurfaceGrid grid, SurfaceWalls walls, int seed, out float[] values)
         {
             var random = new System.Random(seed);
             float[] noise = Enumerable.Range(0, grid.VertexCount).Select(_ => (float)random.NextDouble()).ToArray();
@@ -161,12 +161,12 @@ namespace SphFluid.Tests
             return new MarchingCubesReference(grid, s => noise[grid.Index(s.x, s.y, s.z)], Iso, walls);
         }
 
-        static uint Number(SurfaceBlocks blocks, Vector3Int b) =>
+        private static uint Number(SurfaceBlocks blocks, Vector3Int b) =>
             (uint)((b.z * blocks.Counts.y + b.y) * blocks.Counts.x + b.x);
 
-        static IEnumerable<Vector3Int> Blocks(BlockPolygonRig rig) => Blocks(rig.Blocks.Counts);
+        private static IEnumerable<Vector3Int> Blocks(BlockPolygonRig rig) => Blocks(rig.Blocks.Counts);
 
         // In the order of their numbers, which is that of the rig's slots.
-        static IEnumerable<Vector3Int> Blocks(Vector3Int counts) => MarchingCubesReference.Box(Vector3Int.zero, counts);
+        private static IEnumerable<Vector3Int> Blocks(Vector3Int counts) => MarchingCubesReference.Box(Vector3Int.zero, counts);
     }
 }

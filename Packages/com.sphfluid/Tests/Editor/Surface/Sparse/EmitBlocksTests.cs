@@ -10,9 +10,9 @@ namespace SphFluid.Tests
     /// </summary>
     public sealed class EmitBlocksTests
     {
-        const float Iso = 0.5f;
+        private const float Iso = 0.5f;
 
-        FluidShaderSet shaders;
+        private FluidShaderSet shaders;
 
         [SetUp]
         public void SetUp() => shaders = SurfaceTestScene.LoadShaders();
@@ -26,11 +26,15 @@ namespace SphFluid.Tests
                 p => Iso + radius - (p - centre).magnitude);
             CheckMesh(mesh, 2);
             for (int i = 0; i < mesh.VertexCount; i++)
+            {
                 Assert.Greater(Vector3.Dot(mesh.Normals[i], (mesh.Positions[i] - centre).normalized), 0.98f,
                     $"normal {i}");
+            }
             for (int i = 0; i < mesh.Indices.Length; i += 3)
+            {
                 Assert.Greater(Vector3.Dot(MeshChecks.FaceNormal(mesh, i), mesh.Positions[mesh.Indices[i]] - centre),
                     0f, $"triangle {i / 3} faces inwards");
+            }
             Assert.AreEqual(1.0, mesh.Volume() / (4.0 / 3.0 * Math.PI * Math.Pow(radius, 3)), 0.02);
         }
 
@@ -166,8 +170,7 @@ namespace SphFluid.Tests
                 MeshChecks.AssertSound(mesh);
                 List<(Vector3 a, Vector3 b)> rim = MeshChecks.BoundarySides(mesh);
                 Assert.GreaterOrEqual(rim.Count, 4 * cells);
-                foreach ((Vector3 a, Vector3 b) in rim)
-                    Assert.IsTrue(OnAWall(a, b), $"the surface ends between {a} and {b}");
+                foreach ((Vector3 a, Vector3 b) in rim) Assert.IsTrue(OnAWall(a, b), $"the surface ends between {a} and {b}");
                 Assert.AreEqual(mesh.VertexCount, rig.Status().Vertices - RepeatedVertices(rig, mesh),
                     "vertices that no triangle uses");
             }
@@ -198,27 +201,25 @@ namespace SphFluid.Tests
             }
         }
 
-        static bool OnAWall(Vector3 a, Vector3 b)
+        private static bool OnAWall(Vector3 a, Vector3 b)
         {
             for (int axis = 0; axis < 3; axis++)
             {
-                if (a[axis] == b[axis] && Mathf.Abs(Mathf.Abs(a[axis]) - 0.5f) < 1e-7f)
-                    return true;
+                if (a[axis] == b[axis] && Mathf.Abs(Mathf.Abs(a[axis]) - 0.5f) < 1e-7f) return true;
             }
             return false;
         }
 
-        static long RepeatedVertices(BlockPolygonRig rig, SurfaceMesh mesh)
+        private static long RepeatedVertices(BlockPolygonRig rig, SurfaceMesh mesh)
         {
             PackedSurfaceVertex[] all = GpuTest.Read<PackedSurfaceVertex>(rig.Triangles.Vertices,
                 (int)rig.Status().Vertices);
             var distinct = new HashSet<Vector3>();
-            foreach (PackedSurfaceVertex vertex in all)
-                distinct.Add(vertex.Position);
+            foreach (PackedSurfaceVertex vertex in all) distinct.Add(vertex.Position);
             return all.Length - distinct.Count;
         }
 
-        static bool IsCrossed(SurfaceGrid grid, float[] values, Vector3Int block)
+        private static bool IsCrossed(SurfaceGrid grid, float[] values, Vector3Int block)
         {
             var samples = new float[SurfaceBlocks.SamplesPerBlock];
             for (int i = 0; i < samples.Length; i++)
@@ -230,7 +231,7 @@ namespace SphFluid.Tests
             return BlockFieldRig.IsCrossed(block, samples, Iso, grid.Cells);
         }
 
-        static void CheckMesh(SurfaceMesh mesh, int euler)
+        private static void CheckMesh(SurfaceMesh mesh, int euler)
         {
             MeshChecks.AssertClosed(mesh);
             MeshChecks.AssertSound(mesh);
@@ -238,21 +239,23 @@ namespace SphFluid.Tests
             Assert.AreEqual(euler, MeshChecks.EulerCharacteristic(mesh));
         }
 
-        static SurfaceGrid Box(Vector3 size, Vector3Int cells) => new SurfaceGrid(-0.5f * size, size, cells);
+        private static SurfaceGrid Box(Vector3 size, Vector3Int cells) => new SurfaceGrid(-0.5f * size, size, cells);
 
-        SurfaceMesh Polygonise(SurfaceGrid grid, Func<Vector3, float> value)
+        private SurfaceMesh Polygonise(SurfaceGrid grid, Func<Vector3, float> value)
         {
             using (var rig = new BlockPolygonRig(shaders, grid,
                 s => Mathf.Max(0f, value(grid.Position(s.x, s.y, s.z)))))
                 return rig.Polygonise();
         }
 
-        static float[] Values(SurfaceGrid grid, Func<Vector3, float> value)
+        private static float[] Values(SurfaceGrid grid, Func<Vector3, float> value)
         {
             var values = new float[grid.VertexCount];
             for (int i = 0; i < values.Length; i++)
+            {
                 values[i] = value(grid.Position(i % grid.Vertices.x, i / grid.Vertices.x % grid.Vertices.y,
                     i / (grid.Vertices.x * grid.Vertices.y)));
+            }
             return values;
         }
     }

@@ -11,10 +11,10 @@ namespace SphFluid.Tests
     /// </summary>
     public sealed class ListSprayTests
     {
-        const float Spacing = 0.05f;
-        static readonly Vector3 Domain = new Vector3(1.5f, 1.2f, 0.9f);
+        private const float Spacing = 0.05f;
+        private static readonly Vector3 Domain = new Vector3(1.5f, 1.2f, 0.9f);
 
-        FluidShaderSet shaders;
+        private FluidShaderSet shaders;
 
         [SetUp]
         public void SetUp() => shaders = SurfaceTestScene.LoadShaders();
@@ -89,13 +89,15 @@ namespace SphFluid.Tests
             using (var solver = new FluidSolver(Settings(FluidAxes.None), shaders, ParticleSets.Random(count, Domain, 1f, count)))
             using (var spray = new SprayParticles())
             {
-                float[] amounts = Enumerable.Range(0, count).Select(_ => random.NextDouble() < part ? (float)random.NextDouble() + 1e-3f : 0f).ToArray();
+                float[] amounts = Enumerable.Range(0, count)
+                    .Select(_ => random.NextDouble() < part ? (float)random.NextDouble() + 1e-3f : 0f).ToArray();
                 spray.Reserve(count);
                 spray.Spray.SetData(amounts);
                 GpuTest.Run(cmd => new ListSprayPass(shaders).Record(cmd, solver, spray, vertices));
                 FluidParticle[] particles = GpuTest.Read<FluidParticle>(solver.Particles, count);
                 int[] leaving = Enumerable.Range(0, count).Where(i => amounts[i] > 0f).ToArray();
-                CollectionAssert.AreEqual(new[] { (uint)(leaving.Length * vertices), 1u, 0u, 0u }, GpuTest.Read<uint>(spray.DrawArguments, 4));
+                CollectionAssert.AreEqual(new[] { (uint)(leaving.Length * vertices), 1u, 0u, 0u },
+                    GpuTest.Read<uint>(spray.DrawArguments, 4));
                 float[] listed = GpuTest.Read<float>(spray.Particles, count * 8);
                 for (int k = 0; k < leaving.Length; k++)
                 {
@@ -122,7 +124,8 @@ namespace SphFluid.Tests
                 Vector3 drop = Spacing * new Vector3(4.3f, 4.4f, 4f + height);
                 SprayOf(pool.Append(drop).ToArray(), out float[] spray, out float[] kept);
                 float shown = spray[pool.Length];
-                Assert.AreEqual(1f, shown + kept[pool.Length], 1e-4f, $"frame {frame}: the part drawn as drops and the part in the surface");
+                Assert.AreEqual(1f, shown + kept[pool.Length], 1e-4f,
+                    $"frame {frame}: the part drawn as drops and the part in the surface");
                 Assert.AreEqual(last, shown, 0.2f, $"frame {frame}");
                 last = shown;
                 left |= shown == 1f;
@@ -132,15 +135,14 @@ namespace SphFluid.Tests
         }
 
         // By place in the array: which part is spray, and which part of its weight in a surface without spray a particle still has.
-        void SprayOf(Vector3[] positions, out float[] spray, out float[] kept)
+        private void SprayOf(Vector3[] positions, out float[] spray, out float[] kept)
         {
             FluidSolverSettings settings = Settings(FluidAxes.None);
             SurfaceFieldSettings field = Field(settings);
             SurfaceGrid grid = SurfaceGrid.OverDomain(Domain, field.CellSize);
             Vector3 middle = 0.5f * positions.Aggregate((a, b) => a + b) / positions.Length;
             var liquid = new FluidParticle[positions.Length];
-            for (int i = 0; i < liquid.Length; i++)
-                liquid[i] = new FluidParticle { Position = positions[i] - middle, Id = (uint)i };
+            for (int i = 0; i < liquid.Length; i++) liquid[i] = new FluidParticle { Position = positions[i] - middle, Id = (uint)i };
             using (var rig = new BlockFieldRig(shaders, settings, liquid))
             {
                 rig.Record(field.WithSpray(false), grid);
@@ -152,26 +154,25 @@ namespace SphFluid.Tests
             }
         }
 
-        static float[] ById(BlockFieldRig rig, IEnumerable<float> values)
+        private static float[] ById(BlockFieldRig rig, IEnumerable<float> values)
         {
             float[] ordered = values.ToArray();
             FluidParticle[] particles = GpuTest.Read<FluidParticle>(rig.Solver.Particles, ordered.Length);
             var byId = new float[ordered.Length];
-            for (int i = 0; i < ordered.Length; i++)
-                byId[particles[i].Id] = ordered[i];
+            for (int i = 0; i < ordered.Length; i++) byId[particles[i].Id] = ordered[i];
             return byId;
         }
 
-        static IEnumerable<Vector3> Lattice(int x, int y, int z) =>
+        private static IEnumerable<Vector3> Lattice(int x, int y, int z) =>
             from k in Enumerable.Range(0, z)
             from j in Enumerable.Range(0, y)
             from i in Enumerable.Range(0, x)
             select Spacing * new Vector3(i, j, k);
 
-        static SurfaceFieldSettings Field(in FluidSolverSettings settings) =>
+        private static SurfaceFieldSettings Field(in FluidSolverSettings settings) =>
             SurfaceFieldSettings.For(FluidSurfaceQuality.Default, settings).WithSpray(true);
 
-        static FluidSolverSettings Settings(FluidAxes periodic)
+        private static FluidSolverSettings Settings(FluidAxes periodic)
         {
             FluidSolverSettings settings = TestSettings.ByRule(Domain, Spacing);
             settings.OctantSearch = false;

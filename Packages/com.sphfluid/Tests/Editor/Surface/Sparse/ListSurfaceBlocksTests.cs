@@ -8,7 +8,7 @@ namespace SphFluid.Tests
     /// <summary>ListSurfaceBlocks and BeginSurfaceRound at awkward numbers of blocks.</summary>
     public sealed class ListSurfaceBlocksTests
     {
-        FluidShaderSet shaders;
+        private FluidShaderSet shaders;
 
         [SetUp]
         public void SetUp() => shaders = SurfaceTestScene.LoadShaders();
@@ -30,8 +30,7 @@ namespace SphFluid.Tests
                 uint[] list = GpuTest.Read<uint>(blocks.List, marked.Count);
                 CollectionAssert.AreEquivalent(marked, list);
                 uint[] table = GpuTest.Read<uint>(blocks.Table, blockCount);
-                for (int slot = 0; slot < list.Length; slot++)
-                    Assert.AreEqual(slot + 1, (int)table[list[slot]]);
+                for (int slot = 0; slot < list.Length; slot++) Assert.AreEqual(slot + 1, (int)table[list[slot]]);
                 Assert.AreEqual(blockCount - marked.Count, table.Count(entry => entry == 0u));
                 CollectionAssert.AreEqual(new[] { (uint)marked.Count, marked.Count > 0 ? 1u : 0u, 1u },
                     GpuTest.Read<uint>(blocks.RoundArguments, 3));
@@ -137,7 +136,7 @@ namespace SphFluid.Tests
         }
 
         // A row of blocks: 8 cells each, less the two of the ring.
-        List<uint> Mark(SurfaceBlocks blocks, int blockCount, double part, int capacity)
+        private List<uint> Mark(SurfaceBlocks blocks, int blockCount, double part, int capacity)
         {
             blocks.Reserve(new Vector3Int(8 * blockCount - 2, 1, 1), capacity);
             Assert.AreEqual(blockCount, blocks.BlockCount);
@@ -147,8 +146,7 @@ namespace SphFluid.Tests
             var marked = new List<uint>();
             for (int i = 0; i < blockCount; i++)
             {
-                if (random.NextDouble() >= part)
-                    continue;
+                if (random.NextDouble() >= part) continue;
                 table[i] = uint.MaxValue;
                 marked.Add((uint)i);
             }
@@ -156,7 +154,7 @@ namespace SphFluid.Tests
             return marked;
         }
 
-        uint[] List(SurfaceBlocks blocks)
+        private uint[] List(SurfaceBlocks blocks)
         {
             var list = new ListSurfaceBlocksPass(shaders);
             GpuTest.Run(cmd =>
@@ -167,7 +165,7 @@ namespace SphFluid.Tests
             return GpuTest.Read<uint>(blocks.Counters, SurfaceCounters.Slots);
         }
 
-        void BeginLate(SurfaceBlocks blocks) =>
+        private void BeginLate(SurfaceBlocks blocks) =>
             GpuTest.Run(cmd => new ListSurfaceBlocksPass(shaders).RecordRound(cmd, blocks, true));
     }
 }

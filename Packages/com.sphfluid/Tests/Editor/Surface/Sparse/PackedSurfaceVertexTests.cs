@@ -7,8 +7,8 @@ namespace SphFluid.Tests
     /// <summary>Normals of 32 bits, packed on the GPU, unpacked there and here.</summary>
     public sealed class PackedSurfaceVertexTests
     {
-        const string KernelPath = "Packages/com.sphfluid/Tests/Editor/Surface/Sparse/PackNormals.compute";
-        const float WorstDegrees = 0.004f;
+        private const string KernelPath = "Packages/com.sphfluid/Tests/Editor/Surface/Sparse/PackNormals.compute";
+        private const float WorstDegrees = 0.004f;
 
         [Test]
         public void NormalsSurviveTheRoundTrip()
@@ -16,12 +16,10 @@ namespace SphFluid.Tests
             GpuTest.Require();
             var normals = new List<Vector3> { Vector3.right, Vector3.left, Vector3.up, Vector3.down, Vector3.forward,
                 Vector3.back };
-            for (int k = 0; k < 8; k++)
-                normals.Add(new Vector3((k & 1) * 2 - 1, (k & 2) - 1, (k >> 2) * 2 - 1).normalized);
+            for (int k = 0; k < 8; k++) normals.Add(new Vector3((k & 1) * 2 - 1, (k & 2) - 1, (k >> 2) * 2 - 1).normalized);
             normals.Add(new Vector3(1f, -1e-7f, -1e-7f).normalized);
             var random = new System.Random(4);
-            while (normals.Count < 1009)
-                normals.Add(ParticleSets.RandomVector(random).normalized);
+            while (normals.Count < 1009) normals.Add(ParticleSets.RandomVector(random).normalized);
 
             var kernel = new ComputeKernel(TestAssets.Load<ComputeShader>(KernelPath), "PackNormals");
             using (GraphicsBuffer given = GpuBuffers.Create("Normals", normals.Count, 12))
@@ -49,7 +47,7 @@ namespace SphFluid.Tests
         }
 
         // By the sine: the cosine of so small an angle is 1 in floats.
-        static float Degrees(Vector3 a, Vector3 b) =>
+        private static float Degrees(Vector3 a, Vector3 b) =>
             Vector3.Dot(a, b) > 0f ? Mathf.Asin(Mathf.Min(Vector3.Cross(a, b).magnitude, 1f)) * Mathf.Rad2Deg : 180f;
     }
 }

@@ -8,9 +8,9 @@ namespace SphFluid.Tests
     /// <summary>Blocks that are marked around drops in a periodic domain.</summary>
     public sealed class PeriodicMarkingTests
     {
-        const float Spacing = 0.05f;
-        const FluidAxes AllAxes = FluidAxes.X | FluidAxes.Y | FluidAxes.Z;
-        static readonly Vector3 Domain = Spacing * new Vector3(24f, 20f, 16f);
+        private const float Spacing = 0.05f;
+        private const FluidAxes AllAxes = FluidAxes.X | FluidAxes.Y | FluidAxes.Z;
+        private static readonly Vector3 Domain = Spacing * new Vector3(24f, 20f, 16f);
 
         [Test]
         public void ADropInThePeriodicCornerIsMarkedAtAllEightCorners()
@@ -47,7 +47,7 @@ namespace SphFluid.Tests
             Assert.That(Marked(position, AllAxes, out _), Is.SubsetOf(between));
         }
 
-        static HashSet<Vector3Int> Marked(Vector3 position, FluidAxes periodic, out Vector3Int cells)
+        private static HashSet<Vector3Int> Marked(Vector3 position, FluidAxes periodic, out Vector3Int cells)
         {
             FluidSolverSettings settings = TestSettings.ByRule(Domain, Spacing);
             settings.OctantSearch = false;

@@ -8,10 +8,10 @@ namespace SphFluid.Tests
     /// </summary>
     public sealed class PrepareSurfaceParticlesTests
     {
-        const float Spacing = 0.05f;
-        static readonly Vector3 Domain = new Vector3(0.9f, 0.7f, 0.5f);
+        private const float Spacing = 0.05f;
+        private static readonly Vector3 Domain = new Vector3(0.9f, 0.7f, 0.5f);
 
-        FluidShaderSet shaders;
+        private FluidShaderSet shaders;
 
         [SetUp]
         public void SetUp() => shaders = SurfaceTestScene.LoadShaders();
@@ -76,7 +76,7 @@ namespace SphFluid.Tests
             }
         }
 
-        void Compare(int count, in FluidSolverSettings settings, in SurfaceFieldSettings field, SurfaceGrid grid,
+        private void Compare(int count, in FluidSolverSettings settings, in SurfaceFieldSettings field, SurfaceGrid grid,
             double tolerance)
         {
             using (var rig = new BlockFieldRig(shaders, settings, ParticleSets.Random(count, Domain, 0f, count)))
@@ -97,7 +97,7 @@ namespace SphFluid.Tests
             }
         }
 
-        static FluidSolverSettings Settings(FluidAxes periodic)
+        private static FluidSolverSettings Settings(FluidAxes periodic)
         {
             FluidSolverSettings settings = TestSettings.ByRule(Domain, Spacing);
             settings.OctantSearch = false;

@@ -11,10 +11,10 @@ namespace SphFluid.Tests
     /// </summary>
     public sealed class SampleBlocksTests
     {
-        static readonly Vector3 Domain = new Vector3(0.9f, 0.7f, 0.5f);
-        const float Spacing = 0.05f;
+        private static readonly Vector3 Domain = new Vector3(0.9f, 0.7f, 0.5f);
+        private const float Spacing = 0.05f;
 
-        FluidShaderSet shaders;
+        private FluidShaderSet shaders;
 
         [SetUp]
         public void SetUp() => shaders = SurfaceTestScene.LoadShaders();
@@ -151,7 +151,9 @@ namespace SphFluid.Tests
             FluidSolverSettings settings = Settings(false, FluidAxes.None);
             var particles = new FluidParticle[500];
             for (int i = 0; i < particles.Length; i++)
+            {
                 particles[i] = new FluidParticle(new Vector3(0.01f, -0.02f, 0.03f), Vector3.zero, (uint)i);
+            }
             SurfaceFieldSettings smooth = SurfaceFieldSettings.For(FluidSurfaceQuality.Default, settings);
             CompareWithReference(particles, settings, smooth, SurfaceGrid.OverDomain(Domain, smooth.CellSize), 1e-3);
             var grid = new SurfaceGrid(-0.5f * Domain, Domain, 32);
@@ -186,7 +188,7 @@ namespace SphFluid.Tests
             }
         }
 
-        FluidSolverSettings Settings(bool octant, FluidAxes periodic)
+        private FluidSolverSettings Settings(bool octant, FluidAxes periodic)
         {
             FluidSolverSettings settings = TestSettings.ByRule(Domain, Spacing);
             settings.OctantSearch = octant;
@@ -194,7 +196,7 @@ namespace SphFluid.Tests
             return settings;
         }
 
-        void CompareWithReference(FluidParticle[] particles, in FluidSolverSettings settings,
+        private void CompareWithReference(FluidParticle[] particles, in FluidSolverSettings settings,
             in SurfaceFieldSettings field, SurfaceGrid grid, double tolerance = 2e-4)
         {
             using (var rig = new BlockFieldRig(shaders, settings, particles))
@@ -208,7 +210,7 @@ namespace SphFluid.Tests
             }
         }
 
-        static void Compare(Dictionary<Vector3Int, float[]> blocks, SurfaceFieldReference reference, double tolerance,
+        private static void Compare(Dictionary<Vector3Int, float[]> blocks, SurfaceFieldReference reference, double tolerance,
             Predicate<Vector3Int> skip)
         {
             var random = new System.Random(11);
@@ -219,8 +221,7 @@ namespace SphFluid.Tests
                 Vector3Int block = places[random.Next(places.Count)];
                 int i = random.Next(SurfaceBlocks.SamplesPerBlock);
                 Vector3Int s = BlockFieldRig.SampleAt(block, i);
-                if (skip(s))
-                    continue;
+                if (skip(s)) continue;
                 double expected = reference.Value(s);
                 Assert.AreEqual(expected, blocks[block][i], tolerance * Math.Max(1.0, expected), $"sample {s}");
                 largest = Math.Max(largest, expected);
@@ -228,10 +229,10 @@ namespace SphFluid.Tests
             Assert.Greater(largest, 0.0, "the samples are in the liquid");
         }
 
-        static Predicate<Vector3Int> Near(Vector3 position, SurfaceGrid grid, FluidSolverSettings settings) =>
+        private static Predicate<Vector3Int> Near(Vector3 position, SurfaceGrid grid, FluidSolverSettings settings) =>
             s => (grid.Position(s.x, s.y, s.z) - position).magnitude < settings.SupportRadius + 3f * settings.Spacing;
 
-        void AssertSharedSamplesEqual(in FluidSolverSettings settings, in SurfaceFieldSettings field, SurfaceGrid grid)
+        private void AssertSharedSamplesEqual(in FluidSolverSettings settings, in SurfaceFieldSettings field, SurfaceGrid grid)
         {
             using (var rig = new BlockFieldRig(shaders, settings, ParticleSets.Random(3000, Domain, 0f, 13)))
             {

@@ -11,10 +11,10 @@ namespace SphFluid.Tests
     /// </summary>
     public sealed class SparseSurfaceTests
     {
-        static readonly Vector3 Domain = new Vector3(0.9f, 0.7f, 0.5f);
-        const float Spacing = 0.05f;
+        private static readonly Vector3 Domain = new Vector3(0.9f, 0.7f, 0.5f);
+        private const float Spacing = 0.05f;
 
-        FluidShaderSet shaders;
+        private FluidShaderSet shaders;
 
         [SetUp]
         public void SetUp() => shaders = SurfaceTestScene.LoadShaders();
@@ -48,8 +48,7 @@ namespace SphFluid.Tests
                 MeshChecks.AssertClosed(mesh);
                 MeshChecks.AssertSound(mesh);
                 Assert.AreEqual(2, MeshChecks.EulerCharacteristic(mesh));
-                foreach (Vector3 p in mesh.Positions)
-                    Assert.Less((p - new Vector3(0.11f, 0.07f, -0.05f)).magnitude, 0.9f * Spacing);
+                foreach (Vector3 p in mesh.Positions) Assert.Less((p - new Vector3(0.11f, 0.07f, -0.05f)).magnitude, 0.9f * Spacing);
             }
         }
 
@@ -232,7 +231,7 @@ namespace SphFluid.Tests
             }
         }
 
-        static void ForgetLastBlock(SurfaceBlocks blocks)
+        private static void ForgetLastBlock(SurfaceBlocks blocks)
         {
             uint[] counters = GpuTest.Read<uint>(blocks.Counters, SurfaceCounters.Slots);
             uint last = counters[SurfaceCounters.RoundCount] - 1;
@@ -240,18 +239,20 @@ namespace SphFluid.Tests
             table[GpuTest.Read<uint>(blocks.List, (int)last + 1)[last]] = 0;
             foreach (int slot in new[] { SurfaceCounters.RoundCount, SurfaceCounters.BlocksListed,
                 SurfaceCounters.BlocksRequested })
+            {
                 counters[slot] = last;
+            }
             blocks.Table.SetData(table);
             blocks.Counters.SetData(counters);
         }
 
-        FluidSolver Splash() =>
+        private FluidSolver Splash() =>
             new FluidSolver(TestSettings.ByRule(Domain, Spacing), shaders, ParticleSets.Random(809, Domain, 0f, 3));
 
-        FluidSolver Solver(params FluidParticle[] particles) =>
+        private FluidSolver Solver(params FluidParticle[] particles) =>
             new FluidSolver(TestSettings.ByRule(Domain, Spacing), shaders, particles);
 
-        static void Record(SparseSurface surface, FluidSolver solver)
+        private static void Record(SparseSurface surface, FluidSolver solver)
         {
             SurfaceFieldSettings field = SurfaceFieldSettings.For(FluidSurfaceQuality.Default, solver.Settings);
             GpuTest.Run(cmd => surface.Record(cmd, solver, field, SurfaceGrid.OverDomain(Domain, field.CellSize),

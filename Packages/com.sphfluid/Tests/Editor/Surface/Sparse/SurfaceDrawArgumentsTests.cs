@@ -90,7 +90,7 @@ namespace SphFluid.Tests
         }
 
         // What the kernel makes of counters, where 20 vertices and 30 indices fit.
-        static SurfaceStatus Decide(SurfaceTriangles triangles, int blockCapacity, uint blocks, uint vertices,
+        private static SurfaceStatus Decide(SurfaceTriangles triangles, int blockCapacity, uint blocks, uint vertices,
             uint indices)
         {
             var counted = new uint[SurfaceCounters.Slots];

@@ -8,16 +8,16 @@ namespace SphFluid.Tests
     /// The field of the sparse surface in double precision, by brute force over all particles; written from the
     /// formulas, not from the shaders.
     /// </summary>
-    sealed class SurfaceFieldReference
+    internal sealed class SurfaceFieldReference
     {
-        readonly SurfaceFieldSettings field;
-        readonly SurfaceGrid grid;
-        readonly FluidSolverSettings settings;
-        readonly Double3[] centres;
-        readonly double[] volumes; // in dx³
-        readonly double[] sprays;
-        readonly Covariance[] shapes; // of stretched kernels; null where all are round
-        readonly Dictionary<Vector3Int, double> raw = new Dictionary<Vector3Int, double>();
+        private readonly SurfaceFieldSettings field;
+        private readonly SurfaceGrid grid;
+        private readonly FluidSolverSettings settings;
+        private readonly Double3[] centres;
+        private readonly double[] volumes; // in dx³
+        private readonly double[] sprays;
+        private readonly Covariance[] shapes; // of stretched kernels; null where all are round
+        private readonly Dictionary<Vector3Int, double> raw = new Dictionary<Vector3Int, double>();
 
         public SurfaceFieldReference(IReadOnlyList<FluidParticle> particles, in FluidSolverSettings settings,
             in SurfaceFieldSettings field, SurfaceGrid grid)
@@ -31,13 +31,10 @@ namespace SphFluid.Tests
             for (int i = 0; i < particles.Count; i++)
             {
                 centres[i] = particles[i].Position;
-                if (field.IsThesis)
-                    volumes[i] = settings.ParticleMass / (settings.RestDensity * Math.Pow(settings.Spacing, 3.0));
+                if (field.IsThesis) volumes[i] = settings.ParticleMass / (settings.RestDensity * Math.Pow(settings.Spacing, 3.0));
             }
-            if (field.IsAnisotropic)
-                shapes = new Covariance[particles.Count];
-            if (!field.IsThesis)
-                Smooth(particles);
+            if (field.IsAnisotropic) shapes = new Covariance[particles.Count];
+            if (!field.IsThesis) Smooth(particles);
         }
 
         /// <summary>Where a particle's kernel lies [m].</summary>
@@ -54,14 +51,13 @@ namespace SphFluid.Tests
         {
             for (int axis = 0; axis < 3; axis++)
             {
-                if (s[axis] < 0 || s[axis] > grid.Cells[axis])
-                    return 0.0;
+                if (s[axis] < 0 || s[axis] > grid.Cells[axis]) return 0.0;
             }
             return field.FilterPasses == 0 ? Raw(s) : Math.Max(Filtered(s), Raw(s) - field.UnionOffset);
         }
 
         // One pass of 1 2 1 is a binomial of three, two passes are one of five.
-        double Filtered(Vector3Int s)
+        private double Filtered(Vector3Int s)
         {
             int reach = field.FilterPasses;
             double[] weights = reach == 1 ? new[] { 0.25, 0.5, 0.25 } : new[] { 0.0625, 0.25, 0.375, 0.25, 0.0625 };
@@ -71,23 +67,27 @@ namespace SphFluid.Tests
                 for (int y = -reach; y <= reach; y++)
                 {
                     for (int x = -reach; x <= reach; x++)
+                    {
                         sum += weights[x + reach] * weights[y + reach] * weights[z + reach] * Raw(Mirrored(s + new Vector3Int(x, y, z)));
+                    }
                 }
             }
             return sum;
         }
 
-        Vector3Int Mirrored(Vector3Int s)
+        private Vector3Int Mirrored(Vector3Int s)
         {
             for (int axis = 0; axis < 3; axis++)
             {
                 if (HasWalls(axis))
+                {
                     s[axis] = s[axis] < 0 ? -s[axis] : s[axis] > grid.Cells[axis] ? 2 * grid.Cells[axis] - s[axis] : s[axis];
+                }
             }
             return s;
         }
 
-        double Raw(Vector3Int s)
+        private double Raw(Vector3Int s)
         {
             if (!raw.TryGetValue(s, out double sum))
             {
@@ -99,14 +99,13 @@ namespace SphFluid.Tests
                     Double3 d = Separation(centres[i], position);
                     sum += volumes[i] * Kernel(shapes == null ? d.Length : Math.Sqrt(shapes[i].Product(d, d)));
                 }
-                if (field.WallCompletion)
-                    sum /= KernelPartInside(position);
+                if (field.WallCompletion) sum /= KernelPartInside(position);
                 raw.Add(s, sum);
             }
             return sum;
         }
 
-        void Smooth(IReadOnlyList<FluidParticle> particles)
+        private void Smooth(IReadOnlyList<FluidParticle> particles)
         {
             double radius = field.SupportRadius;
             for (int i = 0; i < particles.Count; i++)
@@ -119,8 +118,7 @@ namespace SphFluid.Tests
                 foreach (FluidParticle other in particles)
                 {
                     Double3 d = Separation(other.Position, position);
-                    if (d.Length >= radius)
-                        continue;
+                    if (d.Length >= radius) continue;
                     double w = 1.0 - Math.Pow(d.Length / radius, 3.0);
                     density += Kernel(d.Length);
                     weights += w;
@@ -139,8 +137,7 @@ namespace SphFluid.Tests
                     sprays[i] = SprayOf(density, position);
                     volumes[i] *= 1.0 - sprays[i];
                 }
-                if (shapes == null)
-                    continue;
+                if (shapes == null) continue;
                 moments.Add(-1.0 / weights, mean);
                 bool lone = count - 1 <= 6;
                 shapes[i] = lone ? Covariance.Ball(0.5) : moments.Stretched(4.0);
@@ -149,44 +146,43 @@ namespace SphFluid.Tests
         }
 
         // Of the neighbours, what walls cut off is made up for up to a half.
-        double SprayOf(double density, Double3 position)
+        private double SprayOf(double density, Double3 position)
         {
             double company = Kernel(0.0) + (density - Kernel(0.0)) / Math.Max(KernelPartInside(position), 0.5);
             double t = Math.Min(Math.Max((company - 0.38) / (0.60 - 0.38), 0.0), 1.0);
             return 1.0 - t * t * (3.0 - 2.0 * t);
         }
 
-        double Kernel(double r) => ThesisReference.Poly6(r, field.SupportRadius) * Math.Pow(settings.Spacing, 3.0);
+        private double Kernel(double r) => ThesisReference.Poly6(r, field.SupportRadius) * Math.Pow(settings.Spacing, 3.0);
 
-        Double3 Separation(Double3 a, Double3 b) =>
+        private Double3 Separation(Double3 a, Double3 b) =>
             new Double3(Nearest(a.X - b.X, 0), Nearest(a.Y - b.Y, 1), Nearest(a.Z - b.Z, 2));
 
-        double Nearest(double d, int axis) =>
+        private double Nearest(double d, int axis) =>
             HasWalls(axis) ? d : d - settings.DomainSize[axis] * Math.Round(d / settings.DomainSize[axis]);
 
-        bool HasWalls(int axis) => ((int)settings.Boundaries.Periodic >> axis & 1) == 0;
+        private bool HasWalls(int axis) => ((int)settings.Boundaries.Periodic >> axis & 1) == 0;
 
-        double Fade(double x, int axis)
+        private double Fade(double x, int axis)
         {
             double s = (0.5 * settings.DomainSize[axis] - Math.Abs(x)) / field.SupportRadius;
             return !HasWalls(axis) || s > 1.0 ? 1.0 : s < 0.0 ? 0.0 : 3.0 * s * s - 2.0 * s * s * s;
         }
 
-        double KernelPartInside(Double3 p) =>
+        private double KernelPartInside(Double3 p) =>
             Math.Max(0.125, PartInside(p.X, 0) * PartInside(p.Y, 1) * PartInside(p.Z, 2));
 
         // Simpson's rule over the slices of the kernel, (1 - x²)⁴ each.
-        double PartInside(double x, int axis)
+        private double PartInside(double x, int axis)
         {
-            if (!HasWalls(axis))
-                return 1.0;
+            if (!HasWalls(axis)) return 1.0;
             double half = 0.5 * settings.DomainSize[axis], radius = field.SupportRadius;
             double low = Math.Max(-1.0, Math.Min(0.0, (-half - x) / radius));
             double high = Math.Min(1.0, Math.Max(0.0, (half - x) / radius));
             return Simpson(low, high) / Simpson(-1.0, 1.0);
         }
 
-        static double Simpson(double from, double to)
+        private static double Simpson(double from, double to)
         {
             const int intervals = 64;
             double step = (to - from) / intervals, sum = 0.0;

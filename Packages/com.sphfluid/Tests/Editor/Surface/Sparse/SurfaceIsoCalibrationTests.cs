@@ -33,7 +33,8 @@ namespace SphFluid.Tests
             Assert.AreEqual(0.521f, field.IsoValue, 0.0015f);
             Assert.AreEqual(field, SurfaceFieldSettings.For(FluidSurfaceQuality.Default, settings, 0.75f));
             Assert.Throws<System.ArgumentOutOfRangeException>(() => SurfaceFieldSettings.For(FluidSurfaceQuality.Default, settings, 2.5f));
-            Assert.Throws<System.ArgumentOutOfRangeException>(() => SurfaceFieldSettings.For(FluidSurfaceQuality.Default, settings, float.NaN));
+            Assert.Throws<System.ArgumentOutOfRangeException>(() =>
+                SurfaceFieldSettings.For(FluidSurfaceQuality.Default, settings, float.NaN));
         }
     }
 }

@@ -7,9 +7,9 @@ namespace SphFluid.Tests
     /// <summary>What the kernel writes into a mesh's buffers, against the same copy on the CPU.</summary>
     public sealed class WriteSurfaceMeshTests
     {
-        const int VertexFloats = 6;
+        private const int VertexFloats = 6;
 
-        FluidShaderSet shaders;
+        private FluidShaderSet shaders;
 
         [SetUp]
         public void SetUp() => shaders = SurfaceTestScene.LoadShaders();
@@ -23,7 +23,7 @@ namespace SphFluid.Tests
             Check(triangles, spareTriangles, toMesh);
         }
 
-        void Check(int triangles, int spareTriangles, Matrix4x4 toMesh)
+        private void Check(int triangles, int spareTriangles, Matrix4x4 toMesh)
         {
             var random = new Random(triangles + spareTriangles);
             int vertexCount = Mathf.Max(1, triangles * 2 / 3);
@@ -35,8 +35,7 @@ namespace SphFluid.Tests
                 source[i].PackedNormal = Half(random) | Half(random) << 16;
             }
             var indices = new uint[indexCapacity];
-            for (int i = 0; i < indexCapacity; i++)
-                indices[i] = (uint)random.Next(vertexCount);
+            for (int i = 0; i < indexCapacity; i++) indices[i] = (uint)random.Next(vertexCount);
 
             using (GraphicsBuffer vertexBuffer = GpuBuffers.Create("Vertices", vertexCount, PackedSurfaceVertex.Stride))
             using (GraphicsBuffer indexBuffer = GpuBuffers.Create("Indices", indexCapacity, sizeof(uint),
@@ -56,12 +55,11 @@ namespace SphFluid.Tests
 
                 CheckIndices(GpuTest.Read<uint>(meshIndices, meshIndices.count), indices, triangles * 3,
                     toMesh.determinant < 0f);
-                if (triangles > 0)
-                    CheckVertices(GpuTest.Read<float>(meshVertices, vertexCount * VertexFloats), source, toMesh);
+                if (triangles > 0) CheckVertices(GpuTest.Read<float>(meshVertices, vertexCount * VertexFloats), source, toMesh);
             }
         }
 
-        static void CheckIndices(uint[] written, uint[] source, int used, bool mirrored)
+        private static void CheckIndices(uint[] written, uint[] source, int used, bool mirrored)
         {
             for (int i = 0; i < used; i += 3)
             {
@@ -69,11 +67,10 @@ namespace SphFluid.Tests
                 Assert.AreEqual(source[i + 1], written[i + (mirrored ? 2 : 1)]);
                 Assert.AreEqual(source[i + 2], written[i + (mirrored ? 1 : 2)]);
             }
-            for (int i = used; i < written.Length; i++)
-                Assert.AreEqual(0u, written[i], $"index {i} of the tail after {used}");
+            for (int i = used; i < written.Length; i++) Assert.AreEqual(0u, written[i], $"index {i} of the tail after {used}");
         }
 
-        static void CheckVertices(float[] written, PackedSurfaceVertex[] source, Matrix4x4 toMesh)
+        private static void CheckVertices(float[] written, PackedSurfaceVertex[] source, Matrix4x4 toMesh)
         {
             Matrix4x4 toNormal = toMesh.inverse.transpose;
             for (int i = 0; i < source.Length; i++)
@@ -88,10 +85,10 @@ namespace SphFluid.Tests
             }
         }
 
-        static Vector3 Position(Random random) =>
+        private static Vector3 Position(Random random) =>
             new Vector3((float)random.NextDouble(), (float)random.NextDouble(), (float)random.NextDouble());
 
         // Half of a packed normal: -32767 to 32767.
-        static uint Half(Random random) => (uint)random.Next(-32767, 32768) & 0xffffu;
+        private static uint Half(Random random) => (uint)random.Next(-32767, 32768) & 0xffffu;
     }
 }

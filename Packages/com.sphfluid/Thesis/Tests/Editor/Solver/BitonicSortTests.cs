@@ -6,7 +6,7 @@ namespace SphFluid.Tests
     /// <summary>Appendix A at sizes around its blocks (1,024), tiles (32 × 1,024) and matrix (1,024 × 1,024).</summary>
     public sealed class BitonicSortTests
     {
-        FluidShaderSet shaders;
+        private FluidShaderSet shaders;
 
         [SetUp]
         public void CreateShaders() => shaders = TestShaders.CreateSet();
@@ -68,7 +68,7 @@ namespace SphFluid.Tests
             Assert.Throws<FluidDeviceException>(() => BitonicSortPass.PaddedCount((1 << 30) + 1));
         }
 
-        void CheckSort(ulong[] pairs)
+        private void CheckSort(ulong[] pairs)
         {
             var sort = new BitonicSortPass(shaders);
             SortPairs.Check(pairs, (cmd, data, temp, count) => sort.Record(cmd, data, temp, count));

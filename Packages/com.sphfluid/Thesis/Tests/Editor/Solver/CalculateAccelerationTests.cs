@@ -8,9 +8,9 @@ namespace SphFluid.Tests
     /// <summary>Block 6.3.3 against double precision: f/ρ, its limit, gravity, and the scene's triangles.</summary>
     public sealed class CalculateAccelerationTests
     {
-        const float Spacing = 0.02f;
+        private const float Spacing = 0.02f;
 
-        static readonly Vector3 Domain = new Vector3(0.4f, 0.4f, 0.4f);
+        private static readonly Vector3 Domain = new Vector3(0.4f, 0.4f, 0.4f);
 
         [TestCase(1)]
         [TestCase(255)]
@@ -33,7 +33,8 @@ namespace SphFluid.Tests
                     Double3 fluid = (Double3)(Vector3)force[i] / density[i];
                     bool cut = fluid.Length > settings.Own<ThesisSettings>().AccelerationLimit;
                     limited += cut ? 1 : 0;
-                    Double3 expected = (cut ? settings.Own<ThesisSettings>().AccelerationLimit / fluid.Length : 1.0) * fluid + settings.Gravity;
+                    Double3 expected = (cut ? settings.Own<ThesisSettings>().AccelerationLimit / fluid.Length : 1.0) * fluid +
+                        settings.Gravity;
                     Assert.That((acceleration[i] - expected).Length, Is.LessThan(1e-6 * (fluid.Length + 10.0)), $"particle {i}");
                 }
 
@@ -72,10 +73,7 @@ namespace SphFluid.Tests
             using (var rig = new ThesisRig(settings, particles))
             {
                 // The shader has the corners in float: the reference takes the same.
-                foreach (ReferenceMesh mesh in meshes)
-                {
-                    mesh.Triangles = mesh.Triangles.Select(t => t.Select(Rounded).ToArray()).ToList();
-                }
+                foreach (ReferenceMesh mesh in meshes) mesh.Triangles = mesh.Triangles.Select(t => t.Select(Rounded).ToArray()).ToList();
 
                 rig.SetMeshes(meshes);
                 Run(rig, out FluidParticle[] sorted, out Double3[] acceleration);
@@ -116,7 +114,8 @@ namespace SphFluid.Tests
         {
             FluidSolverSettings settings = CollisionSettings();
             const int cuts = 20;
-            Double3 tip = new Double3(0, 0.05, 0), a = new Double3(0.01, -0.05, 0.02), b = new Double3(0.01, -0.05, -0.02), c = new Double3(-0.02, -0.05, 0);
+            Double3 tip = new Double3(0, 0.05, 0), a = new Double3(0.01, -0.05, 0.02), b = new Double3(0.01, -0.05, -0.02),
+                c = new Double3(-0.02, -0.05, 0);
             var spike = new ReferenceMesh { Closed = true };
             spike.Triangles.Add(new[] { tip, c, a });
             spike.Triangles.Add(new[] { tip, b, c });
@@ -127,7 +126,8 @@ namespace SphFluid.Tests
                 spike.Triangles.Add(new[] { c, to, from });
             }
             Vector3 beside = new Vector3(0f, 0.05f, 0f) + 0.95f * Spacing * new Vector3(-0.6f, 0.8f, 0f);
-            Assert.That(beside.y - 0.05f, Is.GreaterThan(settings.Own<ThesisSettings>().WallDistance), "above the box by more than contact reaches");
+            Assert.That(beside.y - 0.05f, Is.GreaterThan(settings.Own<ThesisSettings>().WallDistance),
+                "above the box by more than contact reaches");
             Assert.That(Collide(settings, spike, beside, Vector3.zero).Length, Is.Zero);
         }
 
@@ -182,7 +182,7 @@ namespace SphFluid.Tests
             }
         }
 
-        static FluidSolverSettings CollisionSettings()
+        private static FluidSolverSettings CollisionSettings()
         {
             FluidSolverSettings settings = TestSettings.ByRule(Domain, Spacing);
             settings.Gravity = Vector3.zero;
@@ -191,7 +191,7 @@ namespace SphFluid.Tests
             return settings;
         }
 
-        static Double3 Collide(in FluidSolverSettings settings, ReferenceMesh mesh, Vector3 position, Vector3 velocity)
+        private static Double3 Collide(in FluidSolverSettings settings, ReferenceMesh mesh, Vector3 position, Vector3 velocity)
         {
             using (var rig = new ThesisRig(settings, new[] { At(position, velocity) }))
             {
@@ -201,7 +201,7 @@ namespace SphFluid.Tests
             }
         }
 
-        static Double3 FirstAcceleration(in FluidSolverSettings settings, FluidParticle[] particles)
+        private static Double3 FirstAcceleration(in FluidSolverSettings settings, FluidParticle[] particles)
         {
             using (var rig = new ThesisRig(settings, particles))
             {
@@ -210,7 +210,7 @@ namespace SphFluid.Tests
             }
         }
 
-        static void Run(ThesisRig rig, out FluidParticle[] particles, out Double3[] acceleration)
+        private static void Run(ThesisRig rig, out FluidParticle[] particles, out Double3[] acceleration)
         {
             rig.RunNeighbourSetup();
             var force = new CalculateForcePass(rig.Shaders);
@@ -224,8 +224,8 @@ namespace SphFluid.Tests
             acceleration = rig.ReadAcceleration().Select(a => (Double3)(Vector3)a).ToArray();
         }
 
-        static FluidParticle At(Vector3 position, Vector3 velocity) => new FluidParticle(position, velocity, 0);
+        private static FluidParticle At(Vector3 position, Vector3 velocity) => new FluidParticle(position, velocity, 0);
 
-        static Double3 Rounded(Double3 v) => new Double3((float)v.X, (float)v.Y, (float)v.Z);
+        private static Double3 Rounded(Double3 v) => new Double3((float)v.X, (float)v.Y, (float)v.Z);
     }
 }

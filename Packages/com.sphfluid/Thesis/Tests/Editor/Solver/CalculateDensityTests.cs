@@ -8,9 +8,9 @@ namespace SphFluid.Tests
     public sealed class CalculateDensityTests
     {
         // A term (h² − r²)³ is off by about 3 h⁴ · 4e-7 h² in float; the ~30 terms of a neighbourhood add to 1e-5 of the density.
-        const double Tolerance = 1e-5;
+        private const double Tolerance = 1e-5;
 
-        static readonly Vector3 Domain = new Vector3(0.3f, 0.2f, 0.25f);
+        private static readonly Vector3 Domain = new Vector3(0.3f, 0.2f, 0.25f);
 
         [TestCase(1)]
         [TestCase(255)]
@@ -59,7 +59,7 @@ namespace SphFluid.Tests
             }
         }
 
-        static void Check(in FluidSolverSettings settings, int count)
+        private static void Check(in FluidSolverSettings settings, int count)
         {
             using (var rig = new ThesisRig(settings, ParticleSets.Random(count, Domain, 1f, count)))
             {
@@ -72,7 +72,8 @@ namespace SphFluid.Tests
                     double expected = ThesisReference.Density(particles, i, settings);
                     double scale = Tolerance * Math.Max(expected, settings.RestDensity);
                     Assert.That(density[i], Is.EqualTo(expected).Within(scale), $"density of {i} of {count}");
-                    Assert.That(pressure[i], Is.EqualTo(ThesisReference.Pressure(expected, settings)).Within(settings.Own<ThesisSettings>().Stiffness * scale),
+                    Assert.That(pressure[i],
+                        Is.EqualTo(ThesisReference.Pressure(expected, settings)).Within(settings.Own<ThesisSettings>().Stiffness * scale),
                         $"pressure of {i} of {count}");
                 }
             }

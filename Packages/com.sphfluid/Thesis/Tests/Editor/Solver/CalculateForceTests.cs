@@ -7,9 +7,9 @@ namespace SphFluid.Tests
     public sealed class CalculateForceTests
     {
         // Each term is off by some float roundings of distance and direction; h − r loses digits where r is near h.
-        const double Tolerance = 1e-5;
+        private const double Tolerance = 1e-5;
 
-        static readonly Vector3 Domain = new Vector3(0.3f, 0.2f, 0.25f);
+        private static readonly Vector3 Domain = new Vector3(0.3f, 0.2f, 0.25f);
 
         [TestCase(1)]
         [TestCase(255)]
@@ -42,7 +42,7 @@ namespace SphFluid.Tests
             Check(settings, particles);
         }
 
-        static void Check(in FluidSolverSettings settings, FluidParticle[] initial)
+        private static void Check(in FluidSolverSettings settings, FluidParticle[] initial)
         {
             using (var rig = new ThesisRig(settings, initial))
             {

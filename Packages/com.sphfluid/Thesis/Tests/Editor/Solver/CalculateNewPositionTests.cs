@@ -7,10 +7,10 @@ namespace SphFluid.Tests
     /// <summary>Block 6.3.4 against the closed form of a uniformly accelerated motion.</summary>
     public sealed class CalculateNewPositionTests
     {
-        const int Steps = 100;
-        const float TimeStep = 1f / 512f;
+        private const int Steps = 100;
+        private const float TimeStep = 1f / 512f;
 
-        static readonly Vector3 Acceleration = new Vector3(0.5f, -9.75f, 2.25f);
+        private static readonly Vector3 Acceleration = new Vector3(0.5f, -9.75f, 2.25f);
 
         [TestCase(1)]
         [TestCase(257)]
@@ -70,9 +70,9 @@ namespace SphFluid.Tests
             }
         }
 
-        static FluidParticle[] Start(int count) => ParticleSets.Random(count, 0.5f * Vector3.one, 1f, count);
+        private static FluidParticle[] Start(int count) => ParticleSets.Random(count, 0.5f * Vector3.one, 1f, count);
 
-        static FluidParticle[] Integrate(FluidParticle[] start, bool halfKick)
+        private static FluidParticle[] Integrate(FluidParticle[] start, bool halfKick)
         {
             FluidSolverSettings settings = TestSettings.ByRule(8f * Vector3.one, 0.1f);
             settings.TimeStep = TimeStep;
@@ -84,7 +84,7 @@ namespace SphFluid.Tests
             }
         }
 
-        static void Step(ThesisRig rig, Vector4 acceleration, int steps)
+        private static void Step(ThesisRig rig, Vector4 acceleration, int steps)
         {
             rig.State.Published.Counters.SetData(new uint[CounterReadback.Slots]);
             rig.State.Buffers.Acceleration.SetData(Enumerable.Repeat(acceleration, rig.State.ParticleCount).ToArray());

@@ -7,7 +7,7 @@ namespace SphFluid.Tests
     /// <summary>Block 6.2.2 on particles whose cells are known.</summary>
     public sealed class CalculateParticleCellValueTests
     {
-        static readonly Vector3 Domain = new Vector3(1.1f, 0.7f, 0.9f);
+        private static readonly Vector3 Domain = new Vector3(1.1f, 0.7f, 0.9f);
 
         [Test]
         public void EachParticleIsPairedWithItsCellAndTheRestSortsBehind(
@@ -54,7 +54,7 @@ namespace SphFluid.Tests
             AssertPairs(settings, particles, expected);
         }
 
-        static void AssertPairs(in FluidSolverSettings settings, FluidParticle[] particles, uint[] cells)
+        private static void AssertPairs(in FluidSolverSettings settings, FluidParticle[] particles, uint[] cells)
         {
             using (var rig = new ThesisRig(settings, particles))
             {
@@ -67,12 +67,14 @@ namespace SphFluid.Tests
                 {
                     uint cell = i < cells.Length ? cells[i] : uint.MaxValue;
                     if (pairs[2 * i] != cell || pairs[2 * i + 1] != i)
+                    {
                         Assert.Fail($"pair {i} is ({pairs[2 * i]}, {pairs[2 * i + 1]}), not ({cell}, {i})");
+                    }
                 }
             }
         }
 
-        static uint Number(in FluidGrid grid, Vector3Int cell) =>
+        private static uint Number(in FluidGrid grid, Vector3Int cell) =>
             (uint)(cell.x + grid.Counts.x * (cell.y + grid.Counts.y * cell.z));
     }
 }

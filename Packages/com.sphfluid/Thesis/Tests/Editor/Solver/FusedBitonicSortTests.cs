@@ -4,10 +4,12 @@ using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>The fused sort at sizes around its runs (2,048 pairs) and its longest strips (128 runs), and beside the thesis's own.</summary>
+    /// <summary>
+    /// The fused sort at sizes around its runs (2,048 pairs) and its longest strips (128 runs), and beside the thesis's own.
+    /// </summary>
     public sealed class FusedBitonicSortTests
     {
-        FluidShaderSet shaders;
+        private FluidShaderSet shaders;
 
         [SetUp]
         public void CreateShaders() => shaders = TestShaders.CreateSet();
@@ -86,7 +88,7 @@ namespace SphFluid.Tests
         }
 
         // Three neighbour setups with steps between; what they dispatch without the other passes.
-        FluidParticle[] Run(bool fused, out long dispatches)
+        private FluidParticle[] Run(bool fused, out long dispatches)
         {
             var domain = new Vector3(1.1f, 0.7f, 0.9f);
             ThesisSwitches switches = ThesisSwitches.Corrected;
@@ -102,9 +104,9 @@ namespace SphFluid.Tests
             }
         }
 
-        FusedBitonicSortPass Sort() => new FusedBitonicSortPass(shaders, new BitonicSortPass(shaders));
+        private FusedBitonicSortPass Sort() => new FusedBitonicSortPass(shaders, new BitonicSortPass(shaders));
 
-        void CheckSort(ulong[] pairs)
+        private void CheckSort(ulong[] pairs)
         {
             FusedBitonicSortPass sort = Sort();
             SortPairs.Check(pairs, (cmd, data, temp, count) => sort.Record(cmd, data, count));

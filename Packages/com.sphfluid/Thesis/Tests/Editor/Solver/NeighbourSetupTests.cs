@@ -7,7 +7,7 @@ namespace SphFluid.Tests
     /// <summary>Blocks 6.2.2 to 6.2.6 together: each particle is in the range of its cell, and empty cells have empty ranges.</summary>
     public sealed class NeighbourSetupTests
     {
-        static readonly Vector3 Domain = new Vector3(1.1f, 0.7f, 0.9f);
+        private static readonly Vector3 Domain = new Vector3(1.1f, 0.7f, 0.9f);
 
         [TestCase(1)]
         [TestCase(2)]
@@ -44,7 +44,8 @@ namespace SphFluid.Tests
         public void CornersOfTheDomainBelongToTheCornerCells()
         {
             FluidParticle[] corners = Enumerable.Range(0, 8).Select(i => new FluidParticle(
-                0.5f * Vector3.Scale(Domain, new Vector3((i & 1) * 2 - 1, (i >> 1 & 1) * 2 - 1, (i >> 2) * 2 - 1)), Vector3.zero, (uint)i)).ToArray();
+                0.5f * Vector3.Scale(Domain, new Vector3((i & 1) * 2 - 1, (i >> 1 & 1) * 2 - 1, (i >> 2) * 2 - 1)), Vector3.zero, (uint)i))
+                .ToArray();
             Check(corners);
         }
 
@@ -60,7 +61,7 @@ namespace SphFluid.Tests
             }
         }
 
-        static void Check(FluidParticle[] particles)
+        private static void Check(FluidParticle[] particles)
         {
             using (var rig = new ThesisRig(TestSettings.ByRule(Domain, 0.03f), particles))
             {
@@ -71,7 +72,7 @@ namespace SphFluid.Tests
             }
         }
 
-        static void CheckRanges(ThesisRig rig)
+        private static void CheckRanges(ThesisRig rig)
         {
             FluidGrid grid = rig.State.Grid;
             FluidParticle[] sorted = rig.ReadParticles();
@@ -84,14 +85,11 @@ namespace SphFluid.Tests
                 uint start = ranges[2 * cell];
                 uint end = ranges[2 * cell + 1];
                 Assert.That(end - start, Is.EqualTo((uint)count), $"particles in cell {cell}");
-                if (count > 0)
-                {
-                    Assert.That(start, Is.EqualTo((uint)first), $"first particle of cell {cell}");
-                }
+                if (count > 0) Assert.That(start, Is.EqualTo((uint)first), $"first particle of cell {cell}");
             }
         }
 
-        static int Cell(in FluidGrid grid, Vector3 position)
+        private static int Cell(in FluidGrid grid, Vector3 position)
         {
             Vector3 p = position - grid.Origin;
             p = new Vector3(p.x / grid.CellSize.x, p.y / grid.CellSize.y, p.z / grid.CellSize.z);
@@ -101,7 +99,7 @@ namespace SphFluid.Tests
             return x + grid.Counts.x * (y + grid.Counts.y * z);
         }
 
-        static FluidParticle Moved(FluidParticle particle, Vector3 by)
+        private static FluidParticle Moved(FluidParticle particle, Vector3 by)
         {
             particle.Position += by;
             return particle;

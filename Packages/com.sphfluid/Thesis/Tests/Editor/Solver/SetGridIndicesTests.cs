@@ -9,7 +9,7 @@ namespace SphFluid.Tests
     public sealed class SetGridIndicesTests
     {
         // What lies in cells without particles, which the block leaves alone.
-        const uint Canary = 77777u;
+        private const uint Canary = 77777u;
 
         // The cells that the particles are in, of 2,000: all in one, one each, in runs of up to 300, few a cell.
         public enum Kind
@@ -48,7 +48,7 @@ namespace SphFluid.Tests
             }
         }
 
-        static uint[] Cells(int count, Kind kind, int cellCount)
+        private static uint[] Cells(int count, Kind kind, int cellCount)
         {
             var random = new System.Random(count);
             var cells = new List<uint>();

@@ -19,7 +19,8 @@ namespace SphFluid.Tests
         }
 
         /// <summary>Pairs with ids in order, whose cells are a function of the place.</summary>
-        public static ulong[] Cells(int count, Func<int, int> cell) => Enumerable.Range(0, count).Select(i => Of((uint)cell(i), (uint)i)).ToArray();
+        public static ulong[] Cells(int count, Func<int, int> cell) =>
+            Enumerable.Range(0, count).Select(i => Of((uint)cell(i), (uint)i)).ToArray();
 
         /// <summary>Sorts the pairs, padded as the cells of particles are, and compares with the order that .NET finds.</summary>
         /// <param name="pairs">Unique pairs.</param>
@@ -27,7 +28,8 @@ namespace SphFluid.Tests
         public static void Check(ulong[] pairs, Action<CommandBuffer, GraphicsBuffer, GraphicsBuffer, int> record)
         {
             int padded = BitonicSortPass.PaddedCount(pairs.Length);
-            ulong[] input = pairs.Concat(Enumerable.Range(pairs.Length, padded - pairs.Length).Select(i => Of(uint.MaxValue, (uint)i))).ToArray();
+            ulong[] input = pairs.Concat(Enumerable.Range(pairs.Length, padded - pairs.Length).Select(i => Of(uint.MaxValue, (uint)i)))
+                .ToArray();
             using (GraphicsBuffer data = GpuBuffers.Create("Data", padded, 8))
             using (GraphicsBuffer temp = GpuBuffers.Create("Temp", padded, 8))
             {

@@ -19,7 +19,9 @@ namespace SphFluid.Tests
             Assert.That(s.Viscosity, Is.EqualTo(1000.0 * 0.01 * 19.8091 * 0.05).Within(1e-3));
             Assert.That(s.Own<ThesisSettings>().WallDistance, Is.EqualTo(0.0125).Within(1e-7));
             Assert.That(s.Own<ThesisSettings>().WallStiffness, Is.EqualTo(Math.Pow(3.96182 / 0.0125, 2)).Within(10.0));
-            Assert.That(s.Own<ThesisSettings>().AccelerationLimit, Is.GreaterThan(3.0 * s.Own<ThesisSettings>().WallStiffness * s.Own<ThesisSettings>().WallDistance), "far above what contact does");
+            Assert.That(s.Own<ThesisSettings>().AccelerationLimit,
+                Is.GreaterThan(3.0 * s.Own<ThesisSettings>().WallStiffness * s.Own<ThesisSettings>().WallDistance),
+                "far above what contact does");
         }
 
         [Test]
@@ -57,7 +59,8 @@ namespace SphFluid.Tests
             input.WallStiffnessRatio = 100f;
             s = FluidRules.Derive(input);
             double dt = s.TimeStep;
-            Assert.That(s.Own<ThesisSettings>().WallStiffness * dt * dt, Is.LessThan(4.0 - 2.0 * s.Own<ThesisSettings>().WallDamping * dt), "k dt² < 4 − 2 c dt");
+            Assert.That(s.Own<ThesisSettings>().WallStiffness * dt * dt, Is.LessThan(4.0 - 2.0 * s.Own<ThesisSettings>().WallDamping * dt),
+                "k dt² < 4 − 2 c dt");
         }
 
         [Test]
@@ -104,7 +107,7 @@ namespace SphFluid.Tests
             Assert.That(error.Message, Does.Contain("Spacing"));
         }
 
-        static FluidRuleInput Example()
+        private static FluidRuleInput Example()
         {
             FluidRuleInput input = FluidRuleInput.ThesisWater;
             input.DomainSize = new Vector3(1.8f, 1.2f, 0.8f);

@@ -6,7 +6,7 @@ namespace SphFluid.Tests
     /// <summary>CountSurfaceVertices against marching cubes on the CPU.</summary>
     public sealed class CountSurfaceVerticesTests
     {
-        const float Iso = 0.5f;
+        private const float Iso = 0.5f;
 
         // Cubes, with the ring's: less than a group of 4 along an axis, a group, one more, a prime; a field that is
         // empty, full, or noise.

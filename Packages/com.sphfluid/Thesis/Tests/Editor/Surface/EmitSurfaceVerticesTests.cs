@@ -7,9 +7,9 @@ namespace SphFluid.Tests
     /// <summary>EmitSurfaceVertices against marching cubes on the CPU, and at the very edge of its buffer.</summary>
     public sealed class EmitSurfaceVerticesTests
     {
-        const float Iso = 0.5f;
+        private const float Iso = 0.5f;
 
-        FluidShaderSet shaders;
+        private FluidShaderSet shaders;
 
         [SetUp]
         public void SetUp() => shaders = SurfaceTestScene.LoadShaders();

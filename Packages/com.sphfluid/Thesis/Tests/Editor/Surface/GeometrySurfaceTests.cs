@@ -11,32 +11,30 @@ namespace SphFluid.Tests
     /// </summary>
     public sealed class GeometrySurfaceTests
     {
-        const int Size = 256;
-        const int Cells = 32;
-        const int GeometryPass = 0;
-        const int MeshPass = 1;
-        const string ShaderPath = "Packages/com.sphfluid/Thesis/Tests/Editor/Surface/SurfaceCompare.shader";
+        private const int Size = 256;
+        private const int Cells = 32;
+        private const int GeometryPass = 0;
+        private const int MeshPass = 1;
+        private const string ShaderPath = "Packages/com.sphfluid/Thesis/Tests/Editor/Surface/SurfaceCompare.shader";
 
-        static readonly Vector3 Eye = new Vector3(0.9f, 0.7f, -1.4f);
-        static readonly int EyeId = Shader.PropertyToID("_Eye");
+        private static readonly Vector3 Eye = new Vector3(0.9f, 0.7f, -1.4f);
+        private static readonly int EyeId = Shader.PropertyToID("_Eye");
 
-        FluidShaderSet shaders;
-        Material material;
+        private FluidShaderSet shaders;
+        private Material material;
 
         [SetUp]
         public void SetUp()
         {
             shaders = SurfaceTestScene.LoadShaders();
-            if (GeometrySurface.MissingSupport() != null)
-                Assert.Ignore(GeometrySurface.MissingSupport());
+            if (GeometrySurface.MissingSupport() != null) Assert.Ignore(GeometrySurface.MissingSupport());
             material = new Material(TestAssets.Load<Shader>(ShaderPath));
         }
 
         [TearDown]
         public void TearDown()
         {
-            if (material != null)
-                UnityEngine.Object.DestroyImmediate(material);
+            if (material != null) UnityEngine.Object.DestroyImmediate(material);
         }
 
         [Test]
@@ -60,8 +58,7 @@ namespace SphFluid.Tests
             using (SurfaceField field = Field(_ => 0f))
             using (var surface = new GeometrySurface(shaders))
             {
-                foreach (Color pixel in DrawGeometry(surface, field))
-                    Assert.AreEqual(0f, pixel.a);
+                foreach (Color pixel in DrawGeometry(surface, field)) Assert.AreEqual(0f, pixel.a);
             }
         }
 
@@ -86,8 +83,7 @@ namespace SphFluid.Tests
             float cell = 1f / Cells;
             Color[] picture = DrawCubes(p => p.magnitude < 0.5f * cell ? 1f : 0f);
             int covered = 0;
-            foreach (Color pixel in picture)
-                covered += pixel.a > 0f ? 1 : 0;
+            foreach (Color pixel in picture) covered += pixel.a > 0f ? 1 : 0;
             Assert.AreEqual(6 * Size / 2, covered, Size / 4, "pixels of six lines");
             Assert.AreEqual(0f, picture[Size * 3 / 8 * Size + Size * 3 / 8].a, "the middle of a face is empty");
             Assert.AreEqual(0f, picture[Size / 8 * Size + Size / 2].a, "cubes without a vertex inside are not drawn");
@@ -99,13 +95,12 @@ namespace SphFluid.Tests
         {
             Color[] picture = DrawCubes(p => 1f, 0.8f, 1.2f);
             int covered = 0;
-            foreach (Color pixel in picture)
-                covered += pixel.a > 0f ? 1 : 0;
+            foreach (Color pixel in picture) covered += pixel.a > 0f ? 1 : 0;
             Assert.Greater(covered, 5 * Size, "pixels of lines across the picture");
             Assert.AreEqual(0f, picture[Size * 3 / 8 * Size + Size * 3 / 8].a, "the middle of a face is empty");
         }
 
-        Color[] DrawCubes(Func<Vector3, float> density, float near = 0.1f, float far = 10f)
+        private Color[] DrawCubes(Func<Vector3, float> density, float near = 0.1f, float far = 10f)
         {
             material.EnableKeyword("FLUID_CUBES");
             float cell = 1f / Cells;
@@ -120,7 +115,7 @@ namespace SphFluid.Tests
             }
         }
 
-        void CompareBackends(Func<Vector3, float> density, double leastCoverage)
+        private void CompareBackends(Func<Vector3, float> density, double leastCoverage)
         {
             using (SurfaceField field = Field(density))
             using (var surface = new GeometrySurface(shaders))
@@ -141,13 +136,13 @@ namespace SphFluid.Tests
             }
         }
 
-        static bool IsDifferent(Color a, Color b) =>
+        private static bool IsDifferent(Color a, Color b) =>
             a.a != b.a || Mathf.Abs(a.r - b.r) > 1e-4f || Mathf.Abs(a.g - b.g) > 1e-3f || Mathf.Abs(a.b - b.b) > 1e-3f;
 
-        SurfaceField Field(Func<Vector3, float> density) =>
+        private SurfaceField Field(Func<Vector3, float> density) =>
             SurfaceTestScene.Field(shaders, new SurfaceGrid(Vector3.one * -0.5f, Vector3.one, Cells), density);
 
-        static MaterialPropertyBlock Properties(GeometrySurface surface, SurfaceField field)
+        private static MaterialPropertyBlock Properties(GeometrySurface surface, SurfaceField field)
         {
             var placement = new DrawPlacement(Matrix4x4.identity, field.Grid.Size, 0f, 0, false);
             MaterialPropertyBlock properties = surface.Properties(field, 0.5f, null, 0f, placement);
@@ -155,11 +150,11 @@ namespace SphFluid.Tests
             return properties;
         }
 
-        Color[] DrawGeometry(GeometrySurface surface, SurfaceField field) => Render(cmd =>
+        private Color[] DrawGeometry(GeometrySurface surface, SurfaceField field) => Render(cmd =>
             cmd.DrawProcedural(Matrix4x4.identity, material, GeometryPass, MeshTopology.Points, field.Grid.CubeCount, 1,
                 Properties(surface, field)));
 
-        Color[] DrawMesh(SurfaceMesh surface, MaterialPropertyBlock properties)
+        private Color[] DrawMesh(SurfaceMesh surface, MaterialPropertyBlock properties)
         {
             Mesh mesh = surface.ToMesh("Twin");
             try
@@ -172,7 +167,7 @@ namespace SphFluid.Tests
             }
         }
 
-        static Color[] Render(Action<CommandBuffer> draw) =>
+        private static Color[] Render(Action<CommandBuffer> draw) =>
             SurfaceTestScene.Render(Size, SurfaceTestScene.LookAtOrigin(Eye), Matrix4x4.Perspective(45f, 1f, 0.1f, 10f),
                 draw);
     }

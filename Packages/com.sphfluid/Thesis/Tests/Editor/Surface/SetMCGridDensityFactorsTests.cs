@@ -8,10 +8,10 @@ namespace SphFluid.Tests
     /// <summary>SetMCGridDensityFactors against a sum over all particles in double precision.</summary>
     public sealed class SetMCGridDensityFactorsTests
     {
-        static readonly Vector3 Domain = new Vector3(0.9f, 0.7f, 0.5f);
-        const float Spacing = 0.05f;
+        private static readonly Vector3 Domain = new Vector3(0.9f, 0.7f, 0.5f);
+        private const float Spacing = 0.05f;
 
-        FluidShaderSet shaders;
+        private FluidShaderSet shaders;
 
         [SetUp]
         public void SetUp() => shaders = SurfaceTestScene.LoadShaders();
@@ -38,8 +38,7 @@ namespace SphFluid.Tests
                 {
                     Vector3 position = field.Grid.Position(v.x, v.y, v.z);
                     double expected = Factor(particles, settings, position);
-                    if (wallCompletion)
-                        expected /= InnerPart(position, settings);
+                    if (wallCompletion) expected /= InnerPart(position, settings);
                     double found = factors[field.Grid.Index(v.x, v.y, v.z)];
                     Assert.AreEqual(expected, found, 2e-4 * Math.Max(1.0, expected), $"vertex {v} at {position}");
                 }
@@ -71,18 +70,22 @@ namespace SphFluid.Tests
             }
         }
 
-        static IEnumerable<Vector3Int> SomeVertices(Vector3Int cells, int count)
+        private static IEnumerable<Vector3Int> SomeVertices(Vector3Int cells, int count)
         {
             for (int corner = 0; corner < 8; corner++)
+            {
                 yield return new Vector3Int((corner & 1) * cells.x, (corner >> 1 & 1) * cells.y,
                     (corner >> 2) * cells.z);
+            }
             var random = new System.Random(3);
             for (int i = 0; i < count; i++)
+            {
                 yield return new Vector3Int(random.Next(cells.x + 1), random.Next(cells.y + 1),
                     random.Next(cells.z + 1));
+            }
         }
 
-        static double Factor(FluidParticle[] particles, FluidSolverSettings settings, Vector3 position)
+        private static double Factor(FluidParticle[] particles, FluidSolverSettings settings, Vector3 position)
         {
             double sum = 0.0;
             foreach (FluidParticle particle in particles)
@@ -95,14 +98,13 @@ namespace SphFluid.Tests
         }
 
         // The poly6 kernel's part inside the domain by summing thin slices, axis by axis.
-        static double InnerPart(Vector3 position, FluidSolverSettings settings)
+        private static double InnerPart(Vector3 position, FluidSolverSettings settings)
         {
             double h = settings.SupportRadius;
             double part = 1.0;
             for (int axis = 0; axis < 3; axis++)
             {
-                if (settings.PeriodLength[axis] > 0f)
-                    continue;
+                if (settings.PeriodLength[axis] > 0f) continue;
                 double lower = Math.Max(-1.0, (-0.5 * Domain[axis] - position[axis]) / h);
                 double upper = Math.Min(1.0, (0.5 * Domain[axis] - position[axis]) / h);
                 part *= SliceSum(lower, upper) / SliceSum(-1.0, 1.0);
@@ -110,7 +112,7 @@ namespace SphFluid.Tests
             return part;
         }
 
-        static double SliceSum(double from, double to)
+        private static double SliceSum(double from, double to)
         {
             const int slices = 4000;
             double sum = 0.0;

@@ -6,10 +6,10 @@ namespace SphFluid.Tests
     /// <summary>The density factors of moving and resting liquids, and the surface in them.</summary>
     public sealed class SurfaceFieldTests
     {
-        static readonly Vector3 Domain = new Vector3(0.9f, 0.7f, 0.5f);
-        const float Spacing = 0.05f;
+        private static readonly Vector3 Domain = new Vector3(0.9f, 0.7f, 0.5f);
+        private const float Spacing = 0.05f;
 
-        FluidShaderSet shaders;
+        private FluidShaderSet shaders;
 
         [SetUp]
         public void SetUp() => shaders = SurfaceTestScene.LoadShaders();
@@ -48,8 +48,7 @@ namespace SphFluid.Tests
             var domain = new Vector3(1f, 1f, 1f);
             FluidSolverSettings settings = TestSettings.ByRule(domain, Spacing);
             FluidParticle[] particles = ParticleSets.Lattice(new Vector3Int(20, 10, 20), Spacing, 0f, 1);
-            for (int i = 0; i < particles.Length; i++)
-                particles[i].Position.y -= 0.25f;
+            for (int i = 0; i < particles.Length; i++) particles[i].Position.y -= 0.25f;
             using (var solver = new FluidSolver(settings, shaders, particles))
             {
                 SurfaceMesh mesh = ThesisSurfaceMesher.Extract(solver, shaders, SurfaceGridSize.Cells64);
@@ -58,8 +57,7 @@ namespace SphFluid.Tests
                 Assert.AreEqual(0.5, mesh.Volume(), 0.03);
                 for (int i = 0; i < mesh.VertexCount; i++)
                 {
-                    if (mesh.Normals[i].y > 0.9f)
-                        Assert.AreEqual(0f, mesh.Positions[i].y, 0.6f * Spacing, $"{mesh.Positions[i]}");
+                    if (mesh.Normals[i].y > 0.9f) Assert.AreEqual(0f, mesh.Positions[i].y, 0.6f * Spacing, $"{mesh.Positions[i]}");
                 }
             }
         }

@@ -7,10 +7,10 @@ namespace SphFluid.Tests
     /// <summary>The compute twin on fields that are written by hand.</summary>
     public sealed class SurfacePolygoniserTests
     {
-        const float Iso = 0.5f;
+        private const float Iso = 0.5f;
 
-        FluidShaderSet shaders;
-        SurfacePolygoniser polygoniser;
+        private FluidShaderSet shaders;
+        private SurfacePolygoniser polygoniser;
 
         [SetUp]
         public void SetUp()
@@ -33,11 +33,15 @@ namespace SphFluid.Tests
             MeshChecks.AssertClosed(mesh);
             MeshChecks.AssertSound(mesh);
             for (int i = 0; i < mesh.Indices.Length; i += 3)
+            {
                 Assert.Greater(Vector3.Dot(MeshChecks.FaceNormal(mesh, i), mesh.Positions[mesh.Indices[i]] - centre),
                     0f, $"triangle {i / 3} faces inwards");
+            }
             for (int i = 0; i < mesh.VertexCount; i++)
+            {
                 Assert.Greater(Vector3.Dot(mesh.Normals[i], (mesh.Positions[i] - centre).normalized), 0.98f,
                     $"normal {i}");
+            }
             Assert.AreEqual(1.0, mesh.Volume() / (4.0 / 3.0 * Math.PI * Math.Pow(radius, 3)), tolerance);
             Assert.AreEqual(1.0, mesh.Area() / (4.0 * Math.PI * radius * radius), tolerance);
         }
@@ -49,7 +53,9 @@ namespace SphFluid.Tests
             SurfaceMesh mesh = Polygonise(grid, p => Ball(p, Vector3.zero, 0.2f));
             MeshChecks.AssertClosed(mesh);
             for (int i = 0; i < mesh.VertexCount; i++)
+            {
                 Assert.Greater(Vector3.Dot(mesh.Normals[i], mesh.Positions[i].normalized), 0.97f, $"normal {i}");
+            }
         }
 
         [TestCase(1)]
@@ -100,8 +106,7 @@ namespace SphFluid.Tests
             Assert.AreEqual(0.6, mesh.Volume(), 0.003);
             for (int i = 0; i < mesh.VertexCount; i++)
             {
-                if (mesh.Normals[i].y > 0.5f)
-                    Assert.AreEqual(0.1f, mesh.Positions[i].y, 0.001f, $"{mesh.Positions[i]}");
+                if (mesh.Normals[i].y > 0.5f) Assert.AreEqual(0.1f, mesh.Positions[i].y, 0.001f, $"{mesh.Positions[i]}");
             }
         }
 
@@ -180,23 +185,25 @@ namespace SphFluid.Tests
         {
             var grid = new SurfaceGrid(Vector3.zero, Vector3.one, SurfaceGrid.MaximumCells);
             if ((long)grid.VertexCount * sizeof(float) <= SystemInfo.maxGraphicsBufferSize)
+            {
                 Assert.Ignore("This device holds the largest grid.");
+            }
             var exception = Assert.Throws<FluidDeviceException>(() => new SurfaceField(shaders, grid).Dispose());
             StringAssert.Contains("Choose a smaller grid size", exception.Message);
         }
 
-        static SurfaceGrid Cube(float edge, int cells) =>
+        private static SurfaceGrid Cube(float edge, int cells) =>
             new SurfaceGrid(Vector3.one * (-0.5f * edge), Vector3.one * edge, cells);
 
-        static float Ball(Vector3 p, Vector3 centre, float radius) => Iso + (radius - (p - centre).magnitude);
+        private static float Ball(Vector3 p, Vector3 centre, float radius) => Iso + (radius - (p - centre).magnitude);
 
-        SurfaceMesh Polygonise(SurfaceGrid grid, Func<Vector3, float> density)
+        private SurfaceMesh Polygonise(SurfaceGrid grid, Func<Vector3, float> density)
         {
             using (SurfaceField field = Field(grid, density))
                 return polygoniser.Polygonise(field, Iso);
         }
 
-        SurfaceField Field(SurfaceGrid grid, Func<Vector3, float> density) =>
+        private SurfaceField Field(SurfaceGrid grid, Func<Vector3, float> density) =>
             SurfaceTestScene.Field(shaders, grid, density);
     }
 }

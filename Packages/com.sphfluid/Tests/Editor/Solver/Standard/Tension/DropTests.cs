@@ -9,17 +9,18 @@ namespace SphFluid.Tests
     /// <summary>Drops of water of 1 mm and 6 particles radius: what surface tension does to them, against formulas.</summary>
     public sealed class DropTests
     {
-        const float Radius = 1e-3f, Spacing = Radius / 6f, Tension = 0.0728f;
+        private const float Radius = 1e-3f, Spacing = Radius / 6f, Tension = 0.0728f;
 
         // Lamb: ω² = 8 σ/(ρ R³) for the drop that is long and flat in turn; 8.23 ms here.
-        static double LambPeriod => 2.0 * Math.PI / Math.Sqrt(8.0 * Tension / (1000.0 * Math.Pow(Radius, 3.0)));
+        private static double LambPeriod => 2.0 * Math.PI / Math.Sqrt(8.0 * Tension / (1000.0 * Math.Pow(Radius, 3.0)));
 
         [Test]
         public void ADropSwingsWithLambsPeriod()
         {
             FluidSolverSettings settings = Water(90f);
             FluidParticle[] start = Rest(settings).Select(p =>
-                new FluidParticle(new Vector3(0.93f * p.Position.x, 1.15f * p.Position.y, 0.93f * p.Position.z), Vector3.zero, p.Id)).ToArray();
+                new FluidParticle(new Vector3(0.93f * p.Position.x, 1.15f * p.Position.y, 0.93f * p.Position.z), Vector3.zero, p.Id))
+                .ToArray();
             using (var rig = new StandardRig(settings, start))
             {
                 var samples = new List<(double Time, double Length)> { (0.0, Lengthening(start)) };
@@ -29,10 +30,15 @@ namespace SphFluid.Tests
                     rig.Steps(parts);
                     samples.Add((rig.Solver.SimulatedTime, Lengthening(rig.Particles())));
                 }
-                double[] crossings = Enumerable.Range(1, samples.Count - 1).Where(i => samples[i - 1].Length > 0.0 && samples[i].Length <= 0.0)
-                    .Select(i => samples[i - 1].Time + (samples[i].Time - samples[i - 1].Time) * samples[i - 1].Length / (samples[i - 1].Length - samples[i].Length)).ToArray();
+                double[] crossings = Enumerable.Range(1, samples.Count - 1)
+                    .Where(i => samples[i - 1].Length > 0.0 && samples[i].Length <= 0.0)
+                    .Select(i => samples[i - 1].Time +
+                        (samples[i].Time - samples[i - 1].Time) * samples[i - 1].Length / (samples[i - 1].Length - samples[i].Length))
+                        .ToArray();
                 double late = samples.Where(s => s.Time > 0.6 * LambPeriod).Max(s => s.Length);
-                string figures = $"falls through 0 at {string.Join(", ", crossings.Select(t => (1e3 * t).ToString("f2")))} ms, Lamb's period {1e3 * LambPeriod:f2} ms, " +
+                string figures =
+                    $"falls through 0 at {string.Join(", ", crossings.Select(t => (1e3 * t).ToString("f2")))} ms, Lamb's period " +
+                    $"{1e3 * LambPeriod:f2} ms, " +
                     $"longer by {samples[0].Length:f3} at first, {late:f3} a period later";
                 Assert.That(crossings.Length, Is.GreaterThanOrEqualTo(2), figures);
                 Assert.That(crossings[1] - crossings[0], Is.EqualTo(LambPeriod).Within(8).Percent, figures);
@@ -119,7 +125,8 @@ namespace SphFluid.Tests
         {
             FluidRuleInput input = Input(90f);
             input.SupportRatio = 1.9f;
-            Assert.That(() => FluidRules.Derive(input), Throws.ArgumentException.With.Message.Contains("Support Ratio is 1.9").And.Message.Contains("2 or more"));
+            Assert.That(() => FluidRules.Derive(input),
+                Throws.ArgumentException.With.Message.Contains("Support Ratio is 1.9").And.Message.Contains("2 or more"));
         }
 
         [Test]
@@ -130,11 +137,12 @@ namespace SphFluid.Tests
             Assert.That(advice.SurfaceTension, Is.EqualTo(0.2 * Math.Sqrt(1000.0 * Math.Pow(Spacing, 3.0) / Tension)).Within(0.01).Percent);
             Assert.That(settings.TimeStep, Is.LessThanOrEqualTo(1.0001 * advice.SurfaceTension));
             Assert.That(advice.Limit, Is.EqualTo(TimeStepLimit.SurfaceTension));
-            Assert.That(advice.Explain(settings.TimeStep), Does.Contain("which the surface tension sets; a quarter of the Surface Tension would allow"));
+            Assert.That(advice.Explain(settings.TimeStep),
+                Does.Contain("which the surface tension sets; a quarter of the Surface Tension would allow"));
         }
 
         // Damped to rest.
-        static void Settle(StandardRig rig, double time)
+        private static void Settle(StandardRig rig, double time)
         {
             double end = rig.Solver.SimulatedTime + time;
             var damping = new DampVelocitiesPass(rig.Shaders);
@@ -153,7 +161,7 @@ namespace SphFluid.Tests
             }
         }
 
-        static FluidParticle[] Rest(in FluidSolverSettings settings)
+        private static FluidParticle[] Rest(in FluidSolverSettings settings)
         {
             using (var rig = new StandardRig(settings, Ball()))
             {
@@ -163,7 +171,7 @@ namespace SphFluid.Tests
         }
 
         // θ of a cap of a volume whose middle is that high over the plate.
-        static double AngleOf(double height, double volume)
+        private static double AngleOf(double height, double volume)
         {
             double low = 0.05, high = Math.PI - 0.01;
             for (int i = 0; i < 60; i++)
@@ -177,28 +185,30 @@ namespace SphFluid.Tests
             return low * 180.0 / Math.PI;
         }
 
-        static double Lengthening(FluidParticle[] particles)
+        private static double Lengthening(FluidParticle[] particles)
         {
             Vector3 centre = Mean(particles);
-            double along = particles.Sum(p => Square(p.Position.y - centre.y)), across = particles.Sum(p => Square(p.Position.x - centre.x) + Square(p.Position.z - centre.z));
+            double along = particles.Sum(p => Square(p.Position.y - centre.y)),
+                across = particles.Sum(p => Square(p.Position.x - centre.x) + Square(p.Position.z - centre.z));
             return (along - 0.5 * across) / (along + across);
         }
 
-        static double Square(double x) => x * x;
+        private static double Square(double x) => x * x;
 
-        static Vector3 Mean(FluidParticle[] particles) => particles.Aggregate(Vector3.zero, (sum, p) => sum + p.Position) / particles.Length;
+        private static Vector3 Mean(FluidParticle[] particles) =>
+            particles.Aggregate(Vector3.zero, (sum, p) => sum + p.Position) / particles.Length;
 
         // On a lattice that is turned against the axes.
-        static FluidParticle[] Ball()
+        private static FluidParticle[] Ball()
         {
             Quaternion turn = Quaternion.Euler(40f, 25f, 10f);
             return ParticleSets.Lattice(new Vector3Int(14, 14, 14), Spacing, 0f, 1).Where(p => p.Position.magnitude < Radius)
                 .Select((p, i) => new FluidParticle(turn * p.Position, Vector3.zero, (uint)i)).ToArray();
         }
 
-        static FluidSolverSettings Water(float angle) => FluidRules.Derive(Input(angle));
+        private static FluidSolverSettings Water(float angle) => FluidRules.Derive(Input(angle));
 
-        static FluidRuleInput Input(float angle)
+        private static FluidRuleInput Input(float angle)
         {
             FluidRuleInput input = FluidRuleInput.Water;
             input.DomainSize = 6f * Radius * Vector3.one;

@@ -7,9 +7,9 @@ namespace SphFluid.Tests
     /// <summary>SurfaceNormals against sums over all pairs in double precision.</summary>
     public sealed class SurfaceNormalsTests
     {
-        const float Spacing = 0.05f;
+        private const float Spacing = 0.05f;
 
-        static readonly Vector3 Domain = new Vector3(0.4f, 0.5f, 0.35f);
+        private static readonly Vector3 Domain = new Vector3(0.4f, 0.5f, 0.35f);
 
         [Test]
         public void NormalsAreTheSumsOverAllPairs([Values(1, 63, 64, 65, 257, 1009)] int count,
@@ -31,7 +31,9 @@ namespace SphFluid.Tests
                 Double3[] expected = TensionReference.Normals(settings, particles, 0.9);
                 double largest = expected.Max(n => n.Length) + 0.1;
                 for (int i = 0; i < count; i++)
+                {
                     Assert.That(((Double3)(Vector3)found[i] - expected[i]).Length, Is.LessThan(2e-4 * largest), $"normal of {i}");
+                }
             }
         }
     }

@@ -7,10 +7,10 @@ namespace SphFluid.Tests
     /// <summary>SurfaceTension against sums over all pairs in double precision.</summary>
     public sealed class SurfaceTensionTests
     {
-        const float Spacing = 0.05f;
-        const float TimeStep = 1e-3f;
+        private const float Spacing = 0.05f;
+        private const float TimeStep = 1e-3f;
 
-        static readonly Vector3 Domain = new Vector3(0.4f, 0.5f, 0.35f);
+        private static readonly Vector3 Domain = new Vector3(0.4f, 0.5f, 0.35f);
 
         [Test]
         public void VelocitiesChangeByTheSumsOverAllPairs([Values(1, 63, 64, 65, 257, 1009)] int count,
@@ -24,7 +24,9 @@ namespace SphFluid.Tests
                 Double3[] expected = TensionReference.Accelerations(settings, particles, normals, pull, normalPull, 0.9);
                 double largest = expected.Max(a => a.Length) + 0.1;
                 for (int i = 0; i < count; i++)
+                {
                     Assert.That((change[i] / (0.75 * TimeStep) - expected[i]).Length, Is.LessThan(3e-4 * largest), $"acceleration of {i}");
+                }
             }
         }
 
@@ -41,13 +43,15 @@ namespace SphFluid.Tests
             }
         }
 
-        static FluidSolverSettings Settings(FluidAxes periodic) => StandardStateRig.Water(Domain, Spacing, periodic).WithOwn((ref StandardSettings own) =>
+        private static FluidSolverSettings Settings(FluidAxes periodic) =>
+            StandardStateRig.Water(Domain, Spacing, periodic).WithOwn((ref StandardSettings own) =>
         {
             own.SurfaceTension = 5f;
             own.ContactAngle = 116f;
         });
 
-        static Double3[] Change(StandardStateRig rig, Vector3 part, bool listed, out FluidParticle[] particles, out Double3[] normals)
+        private static Double3[] Change(StandardStateRig rig, Vector3 part, bool listed, out FluidParticle[] particles,
+            out Double3[] normals)
         {
             int count = rig.State.ParticleCount;
             FluidParticle[] start = rig.FillSorted(ParticleSets.Random(count, part, 0f, 4));
@@ -61,7 +65,8 @@ namespace SphFluid.Tests
                 pass.Record(cmd, rig.State, new FluidStep(TimeStep, 0.5f * TimeStep, false));
             });
             particles = start;
-            normals = GpuTest.Read<Vector4>(rig.State.ForceBuffers<TensionBuffers>().SurfaceNormals, count).Select(n => (Double3)(Vector3)n).ToArray();
+            normals = GpuTest.Read<Vector4>(rig.State.ForceBuffers<TensionBuffers>().SurfaceNormals, count)
+                .Select(n => (Double3)(Vector3)n).ToArray();
             Vector4[] velocities = GpuTest.Read<Vector4>(rig.State.Buffers.Velocities, count);
             Assert.That(velocities.Select(v => StandardStateRig.ToBits(v.w)), Is.EqualTo(start.Select(p => p.Id)));
             return velocities.Select(v => (Double3)(Vector3)v).ToArray();

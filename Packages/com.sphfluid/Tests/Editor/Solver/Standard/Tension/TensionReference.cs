@@ -15,7 +15,9 @@ namespace SphFluid.Tests
             {
                 Double3 sum = 0.5 * wallShare * WallGradient(settings, particles[i].Position);
                 foreach ((int _, Double3 d) in Near(settings, particles, i))
+                {
                     sum += settings.ParticleMass / (double)settings.RestDensity * StandardReference.Slope(d.Length, radius) / d.Length * d;
+                }
                 normals[i] = radius * sum;
             }
             return normals;
@@ -23,7 +25,8 @@ namespace SphFluid.Tests
 
         /// <summary>Σ (2 p/ρ0²) m ∇W − G Σ (1−q)³ (n_i − n_j) + b (p/ρ0) ∇L of each particle [m/s²].</summary>
         public static Double3[] Accelerations(
-            in FluidSolverSettings settings, IReadOnlyList<FluidParticle> particles, Double3[] normals, double pull, double normalPull, double wallShare)
+            in FluidSolverSettings settings, IReadOnlyList<FluidParticle> particles, Double3[] normals, double pull, double normalPull,
+            double wallShare)
         {
             double radius = settings.SupportRadius, rest = settings.RestDensity;
             var accelerations = new Double3[particles.Count];
@@ -41,17 +44,22 @@ namespace SphFluid.Tests
             return accelerations;
         }
 
-        static IEnumerable<(int Other, Double3 Separation)> Near(FluidSolverSettings settings, IReadOnlyList<FluidParticle> particles, int i) =>
+        private static IEnumerable<(int Other, Double3 Separation)> Near(FluidSolverSettings settings,
+            IReadOnlyList<FluidParticle> particles, int i) =>
             Enumerable.Range(0, particles.Count).Where(j => j != i)
-                .Select(j => (j, ThesisReference.Separation(particles[i], particles[j], settings.PeriodLength))).Where(pair => pair.Item2.Length < settings.SupportRadius);
+                .Select(j => (j, ThesisReference.Separation(particles[i], particles[j], settings.PeriodLength)))
+                .Where(pair => pair.Item2.Length < settings.SupportRadius);
 
-        static Double3 WallGradient(in FluidSolverSettings settings, Double3 p)
+        private static Double3 WallGradient(in FluidSolverSettings settings, Double3 p)
         {
             double step = 1e-4 * settings.Spacing;
             return new Double3(
-                StandardReference.Walls(p + new Double3(step, 0, 0), settings) - StandardReference.Walls(p - new Double3(step, 0, 0), settings),
-                StandardReference.Walls(p + new Double3(0, step, 0), settings) - StandardReference.Walls(p - new Double3(0, step, 0), settings),
-                StandardReference.Walls(p + new Double3(0, 0, step), settings) - StandardReference.Walls(p - new Double3(0, 0, step), settings)) / (2.0 * step);
+                StandardReference.Walls(p + new Double3(step, 0, 0), settings) -
+                    StandardReference.Walls(p - new Double3(step, 0, 0), settings),
+                StandardReference.Walls(p + new Double3(0, step, 0), settings) -
+                    StandardReference.Walls(p - new Double3(0, step, 0), settings),
+                StandardReference.Walls(p + new Double3(0, 0, step), settings) -
+                    StandardReference.Walls(p - new Double3(0, 0, step), settings)) / (2.0 * step);
         }
     }
 }

@@ -8,10 +8,10 @@ namespace SphFluid.Tests
     /// <summary>The iterations of an implicit viscosity against the solution by conjugate gradients in double precision.</summary>
     public sealed class DiffuseVelocitiesTests
     {
-        const float Spacing = 0.05f;
-        const float TimeStep = 2e-3f;
+        private const float Spacing = 0.05f;
+        private const float TimeStep = 2e-3f;
 
-        static readonly Vector3 Domain = new Vector3(0.4f, 0.5f, 0.35f);
+        private static readonly Vector3 Domain = new Vector3(0.4f, 0.5f, 0.35f);
 
         [Test]
         public void TheVelocitiesSolveTheViscousEquations([Values(1, 63, 64, 65, 257, 509)] int count,
@@ -20,7 +20,8 @@ namespace SphFluid.Tests
             FluidSolverSettings settings = Settings(periodic, 1f);
             using (var rig = new StandardStateRig(settings, count))
             {
-                FluidParticle[] particles = Fill(rig, count, listed, out Double3[] start, out Double3[] kicked, out ViscousReference reference);
+                FluidParticle[] particles =
+                    Fill(rig, count, listed, out Double3[] start, out Double3[] kicked, out ViscousReference reference);
                 Double3[] exact = Solution(reference, kicked);
                 Double3[] found = Diffuse(rig, reference, 60);
                 Double3[] error = found.Zip(exact, (a, b) => a - b).ToArray();
@@ -83,12 +84,13 @@ namespace SphFluid.Tests
             {
                 FluidParticle[] particles = Fill(rig, count, true, out Double3[] start, out _, out ViscousReference reference);
                 Double3[] kicked = reference.Times(start).Select((v, i) => v - reference.WallDrive(i)).ToArray();
-                StandardStateRig.Fill(rig.State.Buffers.NewVelocities, kicked.Select(v => new Vector4((float)v.X, (float)v.Y, (float)v.Z, 0f)).ToArray());
+                StandardStateRig.Fill(rig.State.Buffers.NewVelocities,
+                    kicked.Select(v => new Vector4((float)v.X, (float)v.Y, (float)v.Z, 0f)).ToArray());
                 Assert.That(Norm(Diffuse(rig, reference, 5), start), Is.LessThan(2e-4));
             }
         }
 
-        static FluidSolverSettings Settings(FluidAxes periodic, float kinematic)
+        private static FluidSolverSettings Settings(FluidAxes periodic, float kinematic)
         {
             FluidSolverSettings settings = StandardStateRig.Water(Domain, Spacing, periodic);
             settings.Viscosity = kinematic * settings.RestDensity;
@@ -97,7 +99,8 @@ namespace SphFluid.Tests
             return settings;
         }
 
-        static FluidParticle[] Fill(StandardStateRig rig, int count, bool listed, out Double3[] start, out Double3[] kicked, out ViscousReference reference)
+        private static FluidParticle[] Fill(StandardStateRig rig, int count, bool listed, out Double3[] start, out Double3[] kicked,
+            out ViscousReference reference)
         {
             FluidSolverSettings settings = rig.State.Settings;
             Vector3 part = settings.Boundaries.Periodic == FluidAxes.All ? Domain : 0.9f * Domain;
@@ -113,10 +116,10 @@ namespace SphFluid.Tests
             return particles;
         }
 
-        static Double3[] Solution(ViscousReference reference, Double3[] kicked) =>
+        private static Double3[] Solution(ViscousReference reference, Double3[] kicked) =>
             reference.Solve(kicked.Select((v, i) => v + reference.WallDrive(i)).ToArray());
 
-        static Double3[] Diffuse(StandardStateRig rig, ViscousReference reference, int iterations)
+        private static Double3[] Diffuse(StandardStateRig rig, ViscousReference reference, int iterations)
         {
             uint bound = StandardStateRig.ToBits((float)(1.001 * reference.Bound));
             rig.State.Viscous.Spectrum.SetData(new[] { bound, bound });
@@ -125,9 +128,9 @@ namespace SphFluid.Tests
             return GpuTest.Read<Vector4>(rig.State.Viscous.Diffused, rig.State.ParticleCount).Select(v => (Double3)(Vector3)v).ToArray();
         }
 
-        static Double3 Sum(Double3[] v) => v.Aggregate(Double3.Zero, (a, b) => a + b);
+        private static Double3 Sum(Double3[] v) => v.Aggregate(Double3.Zero, (a, b) => a + b);
 
-        static double Norm(Double3[] a, Double3[] b)
+        private static double Norm(Double3[] a, Double3[] b)
         {
             Double3[] d = a.Zip(b, (x, y) => x - y).ToArray();
             return Math.Sqrt(ViscousReference.Product(d, d) / d.Length);

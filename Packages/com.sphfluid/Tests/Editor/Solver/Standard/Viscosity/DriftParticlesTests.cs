@@ -7,13 +7,14 @@ namespace SphFluid.Tests
     /// <summary>DriftParticles does with given velocities what MoveParticles does with those that its forces make.</summary>
     public sealed class DriftParticlesTests
     {
-        const float Spacing = 0.05f;
-        const float TimeStep = 1e-3f;
+        private const float Spacing = 0.05f;
+        private const float TimeStep = 1e-3f;
 
-        static readonly Vector3 Domain = new Vector3(0.4f, 0.5f, 0.35f);
+        private static readonly Vector3 Domain = new Vector3(0.4f, 0.5f, 0.35f);
 
         [Test]
-        public void ParticlesMoveAsMoveParticlesMovesThem([Values(1, 63, 64, 65, 1009)] int count, [Values(FluidAxes.None, FluidAxes.X)] FluidAxes periodic)
+        public void ParticlesMoveAsMoveParticlesMovesThem([Values(1, 63, 64, 65, 1009)] int count,
+            [Values(FluidAxes.None, FluidAxes.X)] FluidAxes periodic)
         {
             FluidSolverSettings settings = StandardStateRig.Water(Domain, Spacing, periodic);
             settings.Gravity = Vector3.zero;
@@ -42,10 +43,11 @@ namespace SphFluid.Tests
             }
         }
 
-        static (Vector4[], Vector4[], uint[], uint[]) Read(StandardStateRig rig)
+        private static (Vector4[], Vector4[], uint[], uint[]) Read(StandardStateRig rig)
         {
             int count = rig.State.ParticleCount;
-            return (GpuTest.Read<Vector4>(rig.State.Buffers.NewPositions, count), GpuTest.Read<Vector4>(rig.State.Buffers.NewVelocities, count),
+            return (GpuTest.Read<Vector4>(rig.State.Buffers.NewPositions, count),
+                GpuTest.Read<Vector4>(rig.State.Buffers.NewVelocities, count),
                 rig.Counters(), GpuTest.Read<uint>(rig.State.Buffers.CellCount, rig.State.Cells.CellCount + 1));
         }
     }

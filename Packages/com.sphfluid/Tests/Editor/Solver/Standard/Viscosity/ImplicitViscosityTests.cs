@@ -21,7 +21,8 @@ namespace SphFluid.Tests
             Assert.That(thick.TimeStep, Is.EqualTo(water));
             TimeStepAdvice advice = FluidRules.Advise(thick, thick.MaxSpeed);
             Assert.That(advice.Limit, Is.EqualTo(TimeStepLimit.Acoustic));
-            Assert.That(advice.Explain(thick.TimeStep), Does.EndWith(" The kinematic viscosity (0.16 m²/s) is implicit and sets no limit."));
+            Assert.That(advice.Explain(thick.TimeStep),
+                Does.EndWith(" The kinematic viscosity (0.16 m²/s) is implicit and sets no limit."));
         }
 
         // A fixed step is taken as it is: what it is too long for is solved.
@@ -43,7 +44,8 @@ namespace SphFluid.Tests
             TimeStepAdvice advice = FluidRules.Advise(pitch, pitch.MaxSpeed);
             Assert.That(advice.Limit, Is.EqualTo(TimeStepLimit.Viscosity));
             Assert.That(pitch.TimeStep, Is.EqualTo(advice.Viscosity).Within(1e-4).Percent);
-            Assert.That(ImplicitViscosity.Iterations(pitch, pitch.TimeStep), Is.InRange(ImplicitViscosity.MostIterations - 1, ImplicitViscosity.MostIterations));
+            Assert.That(ImplicitViscosity.Iterations(pitch, pitch.TimeStep),
+                Is.InRange(ImplicitViscosity.MostIterations - 1, ImplicitViscosity.MostIterations));
             Assert.That(ImplicitViscosity.Iterations(pitch, 0.25 * pitch.TimeStep), Is.InRange(32, 34), "they go with the root");
         }
 
@@ -76,7 +78,8 @@ namespace SphFluid.Tests
                     square += (p.VelT0.x - exact) * (p.VelT0.x - exact);
                     of += exact * exact;
                 }
-                Assert.That(Math.Sqrt(square / of), Is.LessThan(0.02), $"{steps} steps of {settings.TimeStep} s, {ImplicitViscosity.Iterations(settings, settings.TimeStep)} iterations");
+                Assert.That(Math.Sqrt(square / of), Is.LessThan(0.02),
+                    $"{steps} steps of {settings.TimeStep} s, {ImplicitViscosity.Iterations(settings, settings.TimeStep)} iterations");
             }
         }
 
@@ -102,7 +105,10 @@ namespace SphFluid.Tests
             FluidSolverSettings settings = Rules(2f);
             Assert.That(settings.Own<StandardSettings>().ImplicitViscosity, Is.True);
             FluidParticle[] start = Blob(9);
-            for (int i = 0; i < start.Length; i++) start[i].VelT0 = new Vector3(0.4f - 2f * start[i].Position.z, 0.3f, 3f * start[i].Position.x);
+            for (int i = 0; i < start.Length; i++)
+            {
+                start[i].VelT0 = new Vector3(0.4f - 2f * start[i].Position.z, 0.3f, 3f * start[i].Position.x);
+            }
             const int steps = 40;
             FluidParticle[] end = Run(settings, start, steps);
             Double3 Mean(IEnumerable<FluidParticle> all) => all.Aggregate(Double3.Zero, (sum, p) => sum + p.VelT0) / start.Length;
@@ -125,7 +131,8 @@ namespace SphFluid.Tests
             {
                 rig.Steps((int)Math.Ceiling(0.2 / settings.TimeStep));
                 FluidParticle[] end = rig.Particles();
-                float top = end.Max(p => p.Position.y) + 0.25f, spread = end.Max(p => Mathf.Max(Mathf.Abs(p.Position.x), Mathf.Abs(p.Position.z)));
+                float top = end.Max(p => p.Position.y) + 0.25f,
+                    spread = end.Max(p => Mathf.Max(Mathf.Abs(p.Position.x), Mathf.Abs(p.Position.z)));
                 string figures = $"top {top:f3} m, spread {spread:f3} m, fastest {end.Max(p => p.VelT0.magnitude):f3} m/s";
                 Assert.That(top, Is.InRange(0.2f, 0.28f), figures);
                 Assert.That(spread, Is.InRange(0.077f, 0.1f), figures);
@@ -145,24 +152,28 @@ namespace SphFluid.Tests
             settings.Boundaries.Friction = 1f;
             using (var rig = new BodyRig(settings))
             {
-                Vector3 a = new Vector3(-1f, 0f, -1f), b = new Vector3(-1f, 0f, 1f), c = new Vector3(1f, 0f, 1f), d = new Vector3(1f, 0f, -1f);
+                Vector3 a = new Vector3(-1f, 0f, -1f), b = new Vector3(-1f, 0f, 1f), c = new Vector3(1f, 0f, 1f),
+                    d = new Vector3(1f, 0f, -1f);
                 Transform plate = rig.Add(new[] { a, b, c, a, c, d });
                 FluidParticle[] start = Enumerable.Range(0, 65).Select(i => new FluidParticle(
-                    new Vector3(0.06f * (i % 10 - 4.5f), settings.SupportRadius * (0.15f + 0.012f * i), 0.06f * (i / 10 - 4.5f)), new Vector3(1f, 0f, -0.3f), (uint)i)).ToArray();
+                    new Vector3(0.06f * (i % 10 - 4.5f), settings.SupportRadius * (0.15f + 0.012f * i), 0.06f * (i / 10 - 4.5f)),
+                    new Vector3(1f, 0f, -0.3f), (uint)i)).ToArray();
                 rig.Start(start);
                 plate.position += wallSpeed * settings.TimeStep * Vector3.right;
                 rig.Frame(1);
                 foreach (FluidParticle p in rig.Particles())
                 {
                     double q = start[(int)p.Id].Position.y / settings.SupportRadius, u = Math.Max(0.0, 1.0 - q);
-                    double drag = 42.0 * Math.Pow(u, 5.0) * (1.0 - 1.5 * u + 4.0 / 7.0 * u * u) / (q * settings.SupportRadius * settings.SupportRadius);
+                    double drag = 42.0 * Math.Pow(u, 5.0) * (1.0 - 1.5 * u + 4.0 / 7.0 * u * u) /
+                        (q * settings.SupportRadius * settings.SupportRadius);
                     double taken = 0.5 * settings.TimeStep * 5.0 * drag; // the first kick is half a step's
-                    Assert.That(p.VelT0.x, Is.EqualTo((1.0 + taken * wallSpeed) / (1.0 + taken)).Within(0.03 * Math.Max(1.0, Math.Abs(wallSpeed - 1.0))), $"at {q:f2} R, {taken:f2}");
+                    Assert.That(p.VelT0.x, Is.EqualTo((1.0 + taken * wallSpeed) / (1.0 + taken))
+                        .Within(0.03 * Math.Max(1.0, Math.Abs(wallSpeed - 1.0))), $"at {q:f2} R, {taken:f2}");
                 }
             }
         }
 
-        static FluidParticle[] Run(in FluidSolverSettings settings, FluidParticle[] start, int steps)
+        private static FluidParticle[] Run(in FluidSolverSettings settings, FluidParticle[] start, int steps)
         {
             using (var rig = new StandardRig(settings, start))
             {
@@ -171,14 +182,14 @@ namespace SphFluid.Tests
             }
         }
 
-        static FluidSolverSettings Implicit(in FluidSolverSettings settings) =>
+        private static FluidSolverSettings Implicit(in FluidSolverSettings settings) =>
             settings.WithOwn((ref StandardSettings own) => own.ImplicitViscosity = true);
 
-        static FluidParticle[] Blob(int side) => ParticleSets.Lattice(new Vector3Int(side, side, side), 0.025f, 0.001f, 2);
+        private static FluidParticle[] Blob(int side) => ParticleSets.Lattice(new Vector3Int(side, side, side), 0.025f, 0.001f, 2);
 
-        static FluidSolverSettings Rules(float kinematic) => FluidRules.Derive(Input(kinematic));
+        private static FluidSolverSettings Rules(float kinematic) => FluidRules.Derive(Input(kinematic));
 
-        static FluidRuleInput Input(float kinematic)
+        private static FluidRuleInput Input(float kinematic)
         {
             FluidRuleInput input = FluidRuleInput.Water;
             input.DomainSize = new Vector3(1f, 1f, 1f);

@@ -5,16 +5,18 @@ using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>KickParticles against sums over all pairs in double precision: all forces but viscosity, and the bound of the viscous matrix.</summary>
+    /// <summary>
+    /// KickParticles against sums over all pairs in double precision: all forces but viscosity, and the bound of the viscous matrix.
+    /// </summary>
     public sealed class KickParticlesTests
     {
-        const float Spacing = 0.05f;
-        const float TimeStep = 1e-4f;
+        private const float Spacing = 0.05f;
+        private const float TimeStep = 1e-4f;
 
         // Of FluidCounters.hlsl.
-        const int NonFinite = 2;
+        private const int NonFinite = 2;
 
-        static readonly Vector3 Domain = new Vector3(0.4f, 0.5f, 0.35f);
+        private static readonly Vector3 Domain = new Vector3(0.4f, 0.5f, 0.35f);
 
         [Test]
         public void VelocitiesChangeByAllForcesButViscosity([Values(1, 63, 64, 65, 257, 1009)] int count,
@@ -78,7 +80,7 @@ namespace SphFluid.Tests
             }
         }
 
-        static FluidSolverSettings Settings(FluidAxes periodic)
+        private static FluidSolverSettings Settings(FluidAxes periodic)
         {
             FluidSolverSettings settings = StandardStateRig.Water(Domain, Spacing, periodic);
             settings.Viscosity = 500f;
@@ -86,7 +88,7 @@ namespace SphFluid.Tests
             return settings;
         }
 
-        static Vector4[] Kick(StandardStateRig rig)
+        private static Vector4[] Kick(StandardStateRig rig)
         {
             rig.State.RequireViscous();
             var pass = new KickParticlesPass(rig.Shaders);
@@ -94,17 +96,18 @@ namespace SphFluid.Tests
             return GpuTest.Read<Vector4>(rig.State.Buffers.NewVelocities, rig.State.ParticleCount);
         }
 
-        static float[] Spectrum(StandardStateRig rig) =>
+        private static float[] Spectrum(StandardStateRig rig) =>
             GpuTest.Read<uint>(rig.State.Viscous.Spectrum, 2).Select(StandardStateRig.FromBits).ToArray();
 
         // Any densities up to 3 % from that at rest, with their pressures.
-        static double[] FillDensities(StandardStateRig rig, FluidParticle[] particles)
+        private static double[] FillDensities(StandardStateRig rig, FluidParticle[] particles)
         {
             FluidSolverSettings settings = rig.State.Settings;
             double c2 = settings.SoundSpeed * (double)settings.SoundSpeed;
             var random = new System.Random(9);
             double[] density = particles.Select(_ => settings.RestDensity * (0.97 + 0.06 * random.NextDouble())).ToArray();
-            rig.SetTerms(density.Select(d => new Vector2((float)d, (float)(Math.Max(0.0, c2 * (d - settings.RestDensity)) / (d * d)))).ToArray());
+            rig.SetTerms(density.Select(d => new Vector2((float)d, (float)(Math.Max(0.0, c2 * (d - settings.RestDensity)) / (d * d))))
+                .ToArray());
             return density;
         }
     }

@@ -4,13 +4,16 @@ using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>The viscous matrix I + dt L of the Standard method over all pairs in double precision, and the solution of its equations by conjugate gradients.</summary>
+    /// <summary>
+    /// The viscous matrix I + dt L of the Standard method over all pairs in double precision, and the solution of its equations by
+    /// conjugate gradients.
+    /// </summary>
     internal sealed class ViscousReference
     {
-        readonly FluidSolverSettings settings;
-        readonly IReadOnlyList<FluidParticle> particles;
-        readonly double kick;
-        readonly List<(int Other, double Rate)>[] pairs;
+        private readonly FluidSolverSettings settings;
+        private readonly IReadOnlyList<FluidParticle> particles;
+        private readonly double kick;
+        private readonly List<(int Other, double Rate)>[] pairs;
 
         public ViscousReference(in FluidSolverSettings settings, IReadOnlyList<FluidParticle> particles, double kick)
         {
@@ -101,14 +104,14 @@ namespace SphFluid.Tests
         }
 
         // Each face takes the velocity along its two axes.
-        Double3 WallRates(int i)
+        private Double3 WallRates(int i)
         {
             double[] low = FaceRates(i, -1.0), high = FaceRates(i, 1.0);
             double x = low[0] + high[0], y = low[1] + high[1], z = low[2] + high[2];
             return new Double3(y + z, x + z, x + y);
         }
 
-        double[] FaceRates(int i, double side)
+        private double[] FaceRates(int i, double side)
         {
             var rates = new double[3];
             double viscosity = settings.Boundaries.Friction * settings.Viscosity / settings.RestDensity;
