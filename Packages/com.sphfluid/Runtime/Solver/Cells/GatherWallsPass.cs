@@ -46,7 +46,6 @@ namespace SphFluid
                 kernel.SetOut(cmd, state.Walls.NearWalls);
                 if (CellBindings.SetFloating(cmd, kernel, state)) kernel.SetOut(cmd, state.Walls.WallBodies);
                 kernel.SetOut(cmd, state.Walls.WallGap);
-                kernel.SetOut(cmd, state.Walls.ContactArguments);
                 kernel.DispatchThreads(cmd, state.ParticleCount);
             }
         }

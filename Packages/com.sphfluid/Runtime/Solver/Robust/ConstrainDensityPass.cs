@@ -96,6 +96,7 @@ namespace SphFluid
             kernel.SetFloat(cmd, InverseMoment, (float)(1.0 / WendlandKernel.LatticeMoment(settings.SupportRadius / settings.Spacing)));
             kernel.Set(cmd, state.Buffers.Positions);
             kernel.SetOut(cmd, state.Buffers.PositionTerms);
+            if (state.HasBodies) kernel.SetOut(cmd, state.Walls.ContactArguments);
         }
     }
 }

@@ -66,6 +66,7 @@ namespace SphFluid
             kernel.SetFloat(cmd, SuctionFloor, settings.PressureClamp ? 0f : -settings.RestDensity);
             kernel.SetOut(cmd, state.Buffers.Densities);
             kernel.SetOut(cmd, state.Buffers.PositionTerms);
+            if (state.HasBodies) kernel.SetOut(cmd, state.Walls.ContactArguments);
             kernel.Set(cmd, state.Published.Counters);
         }
     }

@@ -61,6 +61,7 @@ float2 UnpackHalves(uint packed)
 
 StructuredBuffer<uint> _WallSlot;      // 0: none; else 1 + place in _NearWalls
 StructuredBuffer<PackedWall> _NearWalls;
+RWByteAddressBuffer _ContactArgumentsOut; // of FindContacts: groups x, y, z of ResolveContacts, and the number of particles
 
 static const float OPPOSITE_FACES = -0.5; // the product of their normals: a wedge of up to 60 degrees parts what is beside it
 
@@ -172,6 +173,17 @@ bool IsParted(uint slot, float3 position, uint other, float3 otherPosition, floa
     }
 #endif
     return cut;
+}
+
+// For FindContacts of the same step: no particle, in no group of 1 x 1.
+void EmptyContacts(uint id)
+{
+#if defined(FLUID_MESH_WALLS)
+    if (id == 0u)
+    {
+        _ContactArgumentsOut.Store4(0u, uint4(0u, 1u, 1u, 0u));
+    }
+#endif
 }
 
 #endif
