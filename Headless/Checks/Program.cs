@@ -38,7 +38,7 @@ Add("gpu", () => new GpuCheck(packages, shaderCache, Path.Combine(project, "Head
 Add("uniform", () => [new UniformBranchCheck(packages, shaderCache).Run()]);
 Add("form", () => FormChecks.Run(packages));
 Add("docs", () => DocumentChecks.Run(packages));
-Add("format", () => [new CodeFormatCheck(project).Run(), new TextFormatCheck(project).Run()]);
+Add("format", () => [new CodeFormatCheck(project).Run(), new CodeStyleCheck(packages).Run(), new TextFormatCheck(project).Run()]);
 
 var failed = reports.Count(r => !r.Passed && r.SkippedBecause is null);
 var skipped = reports.Count(r => r.SkippedBecause is not null);
