@@ -9,7 +9,6 @@ namespace SphFluid
     /// </summary>
     internal static class FluidMethods
     {
-        [OutlivesPlay("What assemblies bring is the same in every play.")]
         private static readonly List<FluidMethod> Methods = new List<FluidMethod> { new StandardMethod(), new RobustMethod() };
 
         /// <summary>All methods, the default one first.</summary>
