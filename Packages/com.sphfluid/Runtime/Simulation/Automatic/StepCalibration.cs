@@ -27,8 +27,8 @@ namespace SphFluid
         /// <param name="shaders">The shaders.</param>
         /// <param name="particles">Its particles.</param>
         /// <param name="collision">Its colliders, gathered.</param>
-        /// <returns>What was measured, with the number of particles that it was measured with; null where the device cannot be timed
-        /// so.</returns>
+        /// <returns>What was measured, with the number of particles that it was measured with; null where there is nothing to time or the
+        /// device cannot run it.</returns>
         public static StepCost? Measure(in FluidSolverSettings settings, FluidShaderSet shaders, IReadOnlyList<FluidParticle> particles,
             CollisionScene collision)
         {
@@ -36,10 +36,10 @@ namespace SphFluid
             try
             {
                 IReadOnlyList<FluidParticle> part = Middle(particles, FirstPart, settings.Spacing);
-                StepCost? first = Time(settings, shaders, part, collision, out double took);
-                if (first == null || part.Count == particles.Count) return first;
+                StepCost first = Time(settings, shaders, part, collision, out double took);
+                if (part.Count == particles.Count) return first;
                 bool fits = took * particles.Count / part.Count < LongestTime;
-                return fits ? Time(settings, shaders, particles, collision, out _) ?? first : first;
+                return fits ? Time(settings, shaders, particles, collision, out _) : first;
             }
             catch (Exception exception) when (exception is FluidDeviceException || exception is InvalidOperationException)
             {
@@ -47,7 +47,7 @@ namespace SphFluid
             }
         }
 
-        private static StepCost? Time(in FluidSolverSettings settings, FluidShaderSet shaders, IReadOnlyList<FluidParticle> particles,
+        private static StepCost Time(in FluidSolverSettings settings, FluidShaderSet shaders, IReadOnlyList<FluidParticle> particles,
             CollisionScene collision, out double took)
         {
             using (var bodies = new CollisionBodies(settings))
@@ -69,8 +69,10 @@ namespace SphFluid
                 }
                 took = spent;
                 blocks.Sort();
-                double step = (blocks[(blocks.Count - 1) / 2] - wait) / StepsABlock;
-                return step > 0.0 ? new StepCost { Particles = particles.Count, Milliseconds = 1e3 * step } : (StepCost?)null;
+                double block = blocks[(blocks.Count - 1) / 2];
+                // Steps of a few particles may cost less than waits differ by; they take no longer than the block with its wait.
+                double step = (block > wait ? block - wait : block) / StepsABlock;
+                return new StepCost { Particles = particles.Count, Milliseconds = 1e3 * step };
             }
         }
 
