@@ -34,7 +34,7 @@ namespace SphFluid.Laboratory
         /// <param name="capacity">Corners that may be written; cubes that do not fit are counted only.</param>
         public void Record(CommandBuffer cmd, SurfaceField field, float isoValue, GraphicsBuffer count, GraphicsBuffer corners,
             int capacity) =>
-            emit.Record(cmd, field, isoValue, tables, count, corners, capacity);
+                emit.Record(cmd, field, isoValue, tables, count, corners, capacity);
 
         /// <summary>Releases the tables.</summary>
         public void Dispose() => tables.Dispose();

@@ -35,7 +35,7 @@ namespace SphFluid.Tests
 
         [Test]
         public void TheInspectorAllowsSeveralObjects() =>
-        Assert.That(typeof(FluidPlaybackEditor).IsDefined(typeof(CanEditMultipleObjects), false));
+            Assert.That(typeof(FluidPlaybackEditor).IsDefined(typeof(CanEditMultipleObjects), false));
 
         [Test]
         public void TheMenuMakesAPlaybackInOneStepOfUndo()

@@ -132,6 +132,6 @@ namespace SphFluid.Validation
 
         private static BenchConfig Still(string name, BenchSurfaceKind kind, int cells, FluidSurfaceQuality? quality = null,
             BenchWaterLook? water = null) =>
-            new BenchConfig(BenchSolver.ThesisOctant, name, kind, cells, 0, quality, water);
+                new BenchConfig(BenchSolver.ThesisOctant, name, kind, cells, 0, quality, water);
     }
 }

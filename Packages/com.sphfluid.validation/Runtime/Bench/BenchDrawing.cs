@@ -28,10 +28,10 @@ namespace SphFluid.Validation
         private const float Far = 10f;
         private const float SquareSize = 1.2f; // as FluidParticleRenderer's default
 
-        private static readonly ProfilerMarker ParticlesMarker = ComputeKernel.CreateMarker(FrameBlocks.DrawParticles);
-        private static readonly ProfilerMarker SurfaceMarker = ComputeKernel.CreateMarker(FrameBlocks.DrawSurface);
-        private static readonly ProfilerMarker ThicknessMarker = ComputeKernel.CreateMarker(FrameBlocks.DrawThickness);
-        private static readonly ProfilerMarker SprayMarker = ComputeKernel.CreateMarker(FrameBlocks.DrawSpray);
+        private static readonly ProfilerMarker ParticlesMarker = GpuLaboratory.CreateMarker(FrameBlocks.DrawParticles);
+        private static readonly ProfilerMarker SurfaceMarker = GpuLaboratory.CreateMarker(FrameBlocks.DrawSurface);
+        private static readonly ProfilerMarker ThicknessMarker = GpuLaboratory.CreateMarker(FrameBlocks.DrawThickness);
+        private static readonly ProfilerMarker SprayMarker = GpuLaboratory.CreateMarker(FrameBlocks.DrawSpray);
         private static readonly int ProjectionParameters = Shader.PropertyToID("_ProjectionParams");
         private static readonly int DepthParameters = Shader.PropertyToID("_ZBufferParams");
         private static readonly Vector3 Eye = new Vector3(1f, 0.7f, -1.6f);

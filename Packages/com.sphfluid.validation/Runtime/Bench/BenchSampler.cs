@@ -1,6 +1,7 @@
 using System;
 using System.Collections;
 using System.Collections.Generic;
+using SphFluid.Laboratory;
 using Unity.Profiling;
 using UnityEngine;
 using UnityEngine.Rendering;
@@ -16,7 +17,7 @@ namespace SphFluid.Validation
         private const int EngineFramesToWait = 200;
         private const int MostTrials = 16;
 
-        private static readonly ProfilerMarker frameMarker = ComputeKernel.CreateMarker(FrameBlocks.Frame);
+        private static readonly ProfilerMarker frameMarker = GpuLaboratory.CreateMarker(FrameBlocks.Frame);
 
         private readonly FluidShaderSet shaders;
         private readonly Dictionary<BenchConfig, IBenchSurface> surfaces = new Dictionary<BenchConfig, IBenchSurface>();
@@ -146,13 +147,13 @@ namespace SphFluid.Validation
 
         private void Record(BenchLiquid liquid, in BenchConfig config, IBenchSurface surface)
         {
-            long before = ComputeKernel.DispatchesRecorded;
+            long before = GpuLaboratory.DispatchesRecorded;
             cmd.BeginSample(frameMarker);
             if (config.HasStep) liquid.Solver.RecordSteps(cmd, config.Steps);
             if (config.Kind == BenchSurfaceKind.Particles) drawing.RecordParticles(cmd, liquid.Solver);
             surface?.Record(cmd, liquid.Solver, drawing);
             cmd.EndSample(frameMarker);
-            Dispatches = ComputeKernel.DispatchesRecorded - before;
+            Dispatches = GpuLaboratory.DispatchesRecorded - before;
         }
 
         // Waits for the GPU by reading from it: a loop of empty frames would take a CPU that draws one of its cores.

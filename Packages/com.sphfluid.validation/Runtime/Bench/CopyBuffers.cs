@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using SphFluid.Laboratory;
 using UnityEngine;
 using UnityEngine.Rendering;
 
@@ -26,9 +27,9 @@ namespace SphFluid.Validation
 
         public CopyBuffers()
         {
-            source = GpuBuffers.Create("CopySource", Bytes / Stride, Stride,
+            source = GpuLaboratory.CreateBuffer("CopySource", Bytes / Stride, Stride,
                 GraphicsBuffer.Target.Structured | GraphicsBuffer.Target.CopySource);
-            target = GpuBuffers.Create("CopyTarget", Bytes / Stride, Stride,
+            target = GpuLaboratory.CreateBuffer("CopyTarget", Bytes / Stride, Stride,
                 GraphicsBuffer.Target.Structured | GraphicsBuffer.Target.CopyDestination);
         }
 
@@ -45,8 +46,8 @@ namespace SphFluid.Validation
 
         public void Dispose()
         {
-            GpuBuffers.Dispose(ref source);
-            GpuBuffers.Dispose(ref target);
+            GpuLaboratory.Dispose(ref source);
+            GpuLaboratory.Dispose(ref target);
         }
     }
 }

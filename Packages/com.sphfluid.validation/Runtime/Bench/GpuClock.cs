@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using SphFluid.Laboratory;
 using Unity.Profiling;
 
 namespace SphFluid.Validation
@@ -84,7 +85,7 @@ namespace SphFluid.Validation
 
         private void Listen(string marker, int block)
         {
-            recorders.Add(new ProfilerRecorder(ComputeKernel.CreateMarker(marker), Capacity, Options));
+            recorders.Add(new ProfilerRecorder(GpuLaboratory.CreateMarker(marker), Capacity, Options));
             blockOf.Add(block);
         }
     }

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Diagnostics;
+using SphFluid.Laboratory;
 using Unity.Profiling;
 using UnityEngine;
 using UnityEngine.Rendering;
@@ -19,7 +20,7 @@ namespace SphFluid.Validation
         private const double SoftwareWork = 0.25e6, CardWork = 8e6, StepOverhead = 1000.0;
         private const int MostStepsAtOnce = 512;
 
-        private static readonly ProfilerMarker marker = ComputeKernel.CreateMarker(FrameBlocks.Frame);
+        private static readonly ProfilerMarker marker = GpuLaboratory.CreateMarker(FrameBlocks.Frame);
 
         private readonly FluidSolver solver;
         private readonly CaseBodies bodies;

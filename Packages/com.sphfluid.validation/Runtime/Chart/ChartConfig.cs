@@ -97,8 +97,8 @@ namespace SphFluid.Validation
 
         internal static string KeyOf(string caseName, string method, double spacing, double supportRatio, double timeStepFraction,
             double soundSpeedRatio) =>
-            string.Join("|", caseName, method, CsvText.Text(spacing), CsvText.Text(supportRatio), CsvText.Text(timeStepFraction),
-                CsvText.Text(soundSpeedRatio));
+                string.Join("|", caseName, method, CsvText.Text(spacing), CsvText.Text(supportRatio), CsvText.Text(timeStepFraction),
+                    CsvText.Text(soundSpeedRatio));
 
         private ChartConfig Built()
         {

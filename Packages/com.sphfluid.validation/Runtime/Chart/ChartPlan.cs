@@ -66,7 +66,7 @@ namespace SphFluid.Validation
         public static ChartPlan Full(IReadOnlyList<ValidationCase> cases, IReadOnlyList<CaseMethod> methods,
             double budget = double.PositiveInfinity, double runLimit = double.PositiveInfinity,
             IReadOnlyList<StepCostPoint> stepCosts = null) =>
-            Of(cases, methods, budget, runLimit, (c, m, share) => ChartSweep.Full(c, m), stepCosts);
+                Of(cases, methods, budget, runLimit, (c, m, share) => ChartSweep.Full(c, m), stepCosts);
 
         /// <summary>
         /// The most telling runs that fit into the budget: spacings and supports of the methods that users choose, the base of the others,
@@ -78,7 +78,7 @@ namespace SphFluid.Validation
         /// <param name="stepCosts">Liquids whose step is timed; null for none.</param>
         public static ChartPlan Quick(IReadOnlyList<ValidationCase> cases, IReadOnlyList<CaseMethod> methods, double budget = QuickBudget,
             IReadOnlyList<StepCostPoint> stepCosts = null) =>
-            Of(cases, methods, budget, double.PositiveInfinity, ChartSweep.Quick, stepCosts);
+                Of(cases, methods, budget, double.PositiveInfinity, ChartSweep.Quick, stepCosts);
 
         private static ChartPlan Of(IReadOnlyList<ValidationCase> cases, IReadOnlyList<CaseMethod> methods, double budget, double runLimit,
             Func<ValidationCase, CaseMethod, double, IEnumerable<ChartRun>> sweep, IReadOnlyList<StepCostPoint> stepCosts)

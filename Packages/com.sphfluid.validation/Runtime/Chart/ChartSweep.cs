@@ -90,17 +90,17 @@ namespace SphFluid.Validation
 
         private static IEnumerable<ChartConfig> Supports(ValidationCase validationCase, CaseParameters start, CaseMethod method,
             params double[] scales) =>
-            from scale in scales
-            from support in IsOffered(method) ? offeredSupports : new[] { 2.5 }
-            from point in At(validationCase, start, ChartFactor.Support, scale, (ref CaseParameters p) => p.SupportRatio = support)
-            where !point.SupportRatio.Equals(start.SupportRatio)
-            select point;
+                from scale in scales
+                from support in IsOffered(method) ? offeredSupports : new[] { 2.5 }
+                from point in At(validationCase, start, ChartFactor.Support, scale, (ref CaseParameters p) => p.SupportRatio = support)
+                where !point.SupportRatio.Equals(start.SupportRatio)
+                select point;
 
         private static IEnumerable<ChartConfig> SoundSpeeds(ValidationCase validationCase, CaseParameters start, double ratio,
             params double[] scales) =>
-            scales
-                .SelectMany(s => At(validationCase, start, ChartFactor.SoundSpeed, s,
-                    (ref CaseParameters p) => p.SoundSpeedRatio *= ratio));
+                scales
+                    .SelectMany(s => At(validationCase, start, ChartFactor.SoundSpeed, s,
+                        (ref CaseParameters p) => p.SoundSpeedRatio *= ratio));
 
         // Nothing where the point is the base itself.
         private static IEnumerable<ChartConfig> At(ValidationCase validationCase, CaseParameters start, ChartFactor factor, double scale,

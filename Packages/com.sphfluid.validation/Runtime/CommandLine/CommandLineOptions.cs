@@ -22,7 +22,7 @@ namespace SphFluid.Validation
         /// <summary>Adds a flag with a value that is one of some words.</summary>
         public void Add(string name, string value, string text, string absent, IReadOnlyList<string> choices,
             Action<CommandLineFlag> read) =>
-            options.Add(new CommandLineOption(name, value, text, absent, choices, read));
+                options.Add(new CommandLineOption(name, value, text, absent, choices, read));
 
         /// <summary>Adds a flag without a value.</summary>
         public void Add(string name, string text, Action<CommandLineFlag> read) => Add(name, null, text, null, null, read);

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using SphFluid.Laboratory;
 using UnityEngine;
 using UnityEngine.Rendering;
 
@@ -118,8 +119,8 @@ namespace SphFluid.Validation
             GraphicsBuffer foundBuffer = null, twiceBuffer = null;
             try
             {
-                foundBuffer = GpuBuffers.Create("Found", found.LongLength, sizeof(uint));
-                twiceBuffer = GpuBuffers.Create("Twice", twice.LongLength, sizeof(uint));
+                foundBuffer = GpuLaboratory.CreateBuffer("Found", found.LongLength, sizeof(uint));
+                twiceBuffer = GpuLaboratory.CreateBuffer("Twice", twice.LongLength, sizeof(uint));
                 foundBuffer.SetData(found);
                 twiceBuffer.SetData(twice);
                 var kernel = new ComputeKernel(shader, "NeighbourAudit");
@@ -138,8 +139,8 @@ namespace SphFluid.Validation
             }
             finally
             {
-                GpuBuffers.Dispose(ref foundBuffer);
-                GpuBuffers.Dispose(ref twiceBuffer);
+                GpuLaboratory.Dispose(ref foundBuffer);
+                GpuLaboratory.Dispose(ref twiceBuffer);
             }
             return FromTables(solver, found, twice, words);
         }

@@ -68,10 +68,10 @@ namespace SphFluid.Validation
         /// <summary>Adds a flag that chooses by name, any number of times.</summary>
         private protected void AddChoice<T>(string name, string text, string absent, List<T> chosen, IReadOnlyList<T> known,
             Func<T, string> nameOf) =>
-            Options.Add(name, "NAME...", text, absent, known.Select(nameOf).ToArray(), flag =>
-            {
-                foreach (string word in flag.Values()) CommandLineWords.Choose(chosen, name, word, known, nameOf);
-            });
+                Options.Add(name, "NAME...", text, absent, known.Select(nameOf).ToArray(), flag =>
+                {
+                    foreach (string word in flag.Values()) CommandLineWords.Choose(chosen, name, word, known, nameOf);
+                });
 
         /// <summary>
         /// Reads the whole command line of the process: the flags behind a lone <c>--</c>; without one, flags of others are passed over.

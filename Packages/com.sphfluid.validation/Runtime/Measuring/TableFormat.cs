@@ -81,7 +81,7 @@ namespace SphFluid.Validation
         /// <param name="no">The second word.</param>
         public TableFormat<TRow> Flag(string name, Func<TRow, bool> value, Action<TRow, bool> take = null, string yes = "1",
             string no = "0") =>
-            Text(name, row => value(row) ? yes : no, Parsed(take, cell => cell == yes));
+                Text(name, row => value(row) ? yes : no, Parsed(take, cell => cell == yes));
 
         /// <summary>The line of a row.</summary>
         public string Line(TRow row) => CsvText.Join(columns.Select(c => c.Cell(row)));

@@ -75,9 +75,9 @@ namespace SphFluid.Validation
 
         private static IEnumerable<StabilityRun> Cells(StabilityMap map, CaseMethod method, int columns, int rows, int seed, bool clamps,
             double mostSteps) =>
-            from y in map.Y.Values(rows)
-            from x in map.X.Values(columns)
-            select new StabilityRun { Map = map, Method = method, X = x, Y = y, Seed = seed, Clamps = clamps, MostSteps = mostSteps };
+                from y in map.Y.Values(rows)
+                from x in map.X.Values(columns)
+                select new StabilityRun { Map = map, Method = method, X = x, Y = y, Seed = seed, Clamps = clamps, MostSteps = mostSteps };
     }
 
     /// <summary>A run of a map: a cell, a method, a seed, with or without clamps.</summary>

@@ -1,13 +1,14 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using SphFluid.Laboratory;
 using UnityEngine;
 
 namespace SphFluid.Validation
 {
     /// <summary>
     /// How the faces of a marching-cubes cube lie, and the outlines that a surface draws on them. Corners and edges have Bourke's
-    /// numbers, as in <see cref="MarchingCubesTables"/>; the outlines are found here by themselves.
+    /// numbers, as in <see cref="CubeNumbering"/>; the outlines are found here by themselves.
     /// </summary>
     internal static class CubeFaceRules
     {
@@ -52,7 +53,7 @@ namespace SphFluid.Validation
         /// <summary>The edge between two corners.</summary>
         public static int EdgeBetween(int a, int b) => Enumerable.Range(0, Edges).First(edge =>
         {
-            int first = MarchingCubesTables.EdgeCorners[2 * edge], second = MarchingCubesTables.EdgeCorners[2 * edge + 1];
+            int first = CubeNumbering.EdgeCorners[2 * edge], second = CubeNumbering.EdgeCorners[2 * edge + 1];
             return first == a && second == b || first == b && second == a;
         });
 

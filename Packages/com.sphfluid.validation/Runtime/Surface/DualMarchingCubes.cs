@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using SphFluid.Laboratory;
 using UnityEngine;
 
 namespace SphFluid.Validation
@@ -132,7 +133,7 @@ namespace SphFluid.Validation
             : -1;
 
         private static Vector3Int Corner(Vector3Int cube, int edge, int end) =>
-            cube + CubeFaceRules.Offset(MarchingCubesTables.EdgeCorners[2 * edge + end]);
+            cube + CubeFaceRules.Offset(CubeNumbering.EdgeCorners[2 * edge + end]);
 
         private static Vector3Int Unit(int axis) => new Vector3Int(axis == 0 ? 1 : 0, axis == 1 ? 1 : 0, axis == 2 ? 1 : 0);
 

@@ -1,5 +1,6 @@
 using System;
 using System.Collections;
+using SphFluid.Laboratory;
 using Unity.Profiling;
 using UnityEngine;
 using UnityEngine.Rendering;
@@ -18,7 +19,7 @@ namespace SphFluid.Validation
         // States of fewer frames are gone through several times; the least time counts, as the first one also compiles.
         private const int TimedFrames = 3;
 
-        private static readonly ProfilerMarker frameMarker = ComputeKernel.CreateMarker(FrameBlocks.Frame);
+        private static readonly ProfilerMarker frameMarker = GpuLaboratory.CreateMarker(FrameBlocks.Frame);
 
         private static readonly BenchBlock surface = new BenchBlock("surface",
             "ResetMCGrid", "SetMCGridDensityFactors", "CountSurfaceVertices", "EmitSurfaceVertices",

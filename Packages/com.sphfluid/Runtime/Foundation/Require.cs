@@ -49,7 +49,8 @@ namespace SphFluid
         public static void Known<T>(T choice, string name)
             where T : struct,
                 Enum =>
-                That(EqualityComparer<T>.Default.Equals(Limits.Known(choice), choice), choice, name, "one of the choices that there are");
+                    That(EqualityComparer<T>.Default.Equals(Limits.Known(choice), choice), choice, name,
+                        "one of the choices that there are");
 
         private static T That<T>(bool holds, T value, string name, string must) =>
             holds ? value : throw new ArgumentException(FormattableString.Invariant($"{name} is {value}; it must be {must}."), name);

@@ -3,7 +3,7 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>Creates named buffers that are checked against the device's limit.</summary>
-    public static class GpuBuffers
+    internal static class GpuBuffers
     {
         /// <summary>Creates a buffer, structured unless asked otherwise.</summary>
         /// <param name="name">Name shown by frame debuggers and error messages.</param>

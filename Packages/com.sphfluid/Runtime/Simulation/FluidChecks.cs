@@ -38,7 +38,7 @@ namespace SphFluid
         /// <returns>The messages, errors first.</returns>
         public static List<FluidMessage> Check(in FluidSpec spec, IReadOnlyList<VolumeSpec> volumes, CollisionScene collision,
             Func<SpawnRequest, SpawnResult> spawn, out FluidStart start, bool measures = false) =>
-            Check(spec, collision, (now, messages) => Begin(now, volumes, collision, spawn, messages, out _), out start, measures);
+                Check(spec, collision, (now, messages) => Begin(now, volumes, collision, spawn, messages, out _), out start, measures);
 
         /// <summary>Checks a simulation that begins as it is said.</summary>
         internal static List<FluidMessage> Check(in FluidSpec given, CollisionScene collision,

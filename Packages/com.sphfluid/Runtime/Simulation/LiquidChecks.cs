@@ -126,6 +126,6 @@ namespace SphFluid
 
         private static void Add(List<FluidMessage> messages, FluidSeverity severity, FluidIssue issue, in VolumeSpec volume, string text,
             string cure) =>
-            messages.Add(new FluidMessage(severity, issue, volume.Owner, text, cure));
+                messages.Add(new FluidMessage(severity, issue, volume.Owner, text, cure));
     }
 }

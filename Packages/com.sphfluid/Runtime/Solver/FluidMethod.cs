@@ -58,7 +58,7 @@ namespace SphFluid
         /// <param name="speed">Speed of the fastest particle [m/s].</param>
         public virtual IReadOnlyList<(string Label, string Value)> Remarks(in FluidSolverSettings settings, double timeStep,
             double speed) =>
-            Array.Empty<(string, string)>();
+                Array.Empty<(string, string)>();
 
         /// <summary>What a frame asks for.</summary>
         /// <param name="settings">The liquid's constants.</param>

@@ -14,7 +14,7 @@ namespace SphFluid
     /// corners are always joined, as Bourke's table does. Both cubes at a face see the same four signs, so they agree
     /// and the mesh has no cracks (the complement rule of Lorensen and Cline's 15 cases cracks there).
     /// </remarks>
-    public static class MarchingCubesTables
+    internal static class MarchingCubesTables
     {
         /// <summary>Number of cases: one for each choice of outside corners.</summary>
         public const int CaseCount = 256;

@@ -11,7 +11,6 @@ namespace SphFluid.Tests
         {
             (@"^Fluid(Message|Finding)\.new", "says what was found"),
             (@"^FluidReading\.new", "has no number while nothing was read"),
-            (@"^FluidStep\.new", "is made by the solver"),
             (@"^FluidStatistics\.RmsSpeed", "goes by what was measured"),
             (@"^FluidDetectors\.", "looks for what is wrong with constants and measurements"),
             (@"^ComputeKernel\.", "hands on what a shader is to get, as a CommandBuffer does"),
@@ -24,7 +23,6 @@ namespace SphFluid.Tests
             (@"\.WithSoundSpeed", "is checked where a liquid takes the settings"),
             (@"^(FluidRules\.(Advise|EffectiveSoundSpeed|ActingViscosity)|SurfaceFieldSettings|FluidGrid\.For).* settings\.",
                 "goes by settings that a liquid has"),
-            (@"^ThesisRules\.", "is checked where a liquid takes the settings"),
             (@"^TimeStepAdvice\.", "compares a number of the caller's"),
             (@"^FluidQueries\..* (length|distance) = Infinity", "has no end"),
             (@" options\.", "are settings: what is out of range is brought into it, or thrown where they are used"),

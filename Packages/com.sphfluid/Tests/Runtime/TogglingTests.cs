@@ -26,7 +26,7 @@ namespace SphFluid.Tests
             using var rig = new SimulationRig();
             FluidSimulation simulation = rig.Create();
             var parts = new List<(GameObject Holder, Type Type)>();
-            foreach (Type type in typeof(FluidSimulation).Assembly.GetTypes())
+            foreach (Type type in ProductTypes.All)
                 if (type.IsPublic && !type.IsAbstract && typeof(MonoBehaviour).IsAssignableFrom(type) && type != typeof(FluidSimulation))
                 {
                     parts.Add((Holder(rig, simulation, type), type));

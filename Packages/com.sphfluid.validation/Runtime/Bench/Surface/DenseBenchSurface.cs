@@ -27,13 +27,13 @@ namespace SphFluid.Validation
             field = new SurfaceField(shaders, BenchLiquid.SurfaceGrid(cells));
             emitter = new DenseSurfaceEmitter(shaders);
             material = new BenchMeshMaterial(BenchMeshMaterial.TriangleCornersPass);
-            arguments = GpuBuffers.Create("BenchSurfaceArguments", EmptyArguments.Length, sizeof(uint),
+            arguments = GpuLaboratory.CreateBuffer("BenchSurfaceArguments", EmptyArguments.Length, sizeof(uint),
                 GraphicsBuffer.Target.IndirectArguments | GraphicsBuffer.Target.Raw);
-            vertices = GpuBuffers.Create("SurfaceVertices", 0, DenseSurfaceEmitter.CornerStride);
+            vertices = GpuLaboratory.CreateBuffer("SurfaceVertices", 0, DenseSurfaceEmitter.CornerStride);
         }
 
         public BenchSurfaceFacts Facts =>
-            BenchSurfaceFacts.Dense(cells, field.GpuBytes + emitter.GpuBytes + GpuBuffers.Size(arguments, vertices), corners);
+            BenchSurfaceFacts.Dense(cells, field.GpuBytes + emitter.GpuBytes + GpuLaboratory.SizeOf(arguments, vertices), corners);
 
         public bool HasCapacity { get; private set; }
 
@@ -50,8 +50,8 @@ namespace SphFluid.Validation
             corners = counted[0];
             if (vertices.count < corners)
             {
-                GpuBuffers.Dispose(ref vertices);
-                vertices = GpuBuffers.Create("SurfaceVertices", corners, DenseSurfaceEmitter.CornerStride);
+                GpuLaboratory.Dispose(ref vertices);
+                vertices = GpuLaboratory.CreateBuffer("SurfaceVertices", corners, DenseSurfaceEmitter.CornerStride);
             }
             HasCapacity = true;
         }
@@ -72,8 +72,8 @@ namespace SphFluid.Validation
             field.Dispose();
             material.Dispose();
             emitter.Dispose();
-            GpuBuffers.Dispose(ref arguments);
-            GpuBuffers.Dispose(ref vertices);
+            GpuLaboratory.Dispose(ref arguments);
+            GpuLaboratory.Dispose(ref vertices);
         }
 
         private void RecordMesh(CommandBuffer cmd, int capacity)

@@ -8,7 +8,7 @@ namespace SphFluid.Validation
     /// <summary>The sparse surface, and as many particles of whitewater as the liquid has: moved on, listed anew and drawn.</summary>
     internal sealed class WhitewaterBenchSurface : IBenchSurface
     {
-        private static readonly ProfilerMarker Marker = ComputeKernel.CreateMarker(FrameBlocks.DrawWhitewater);
+        private static readonly ProfilerMarker Marker = GpuLaboratory.CreateMarker(FrameBlocks.DrawWhitewater);
 
         private readonly SparseBenchSurface surface;
         private readonly MeasuredWhitewater whitewater;

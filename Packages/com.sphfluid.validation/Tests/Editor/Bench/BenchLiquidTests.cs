@@ -62,10 +62,10 @@ namespace SphFluid.Tests
         {
             using (var liquid = new BenchLiquid(SurfaceTestScene.LoadShaders(), BenchSolver.ThesisOctant, count))
             {
-                long before = ComputeKernel.DispatchesRecorded;
+                long before = GpuLaboratory.DispatchesRecorded;
                 GpuTest.Run(cmd => liquid.Solver.RecordSteps(cmd, 1));
 
-                Assert.That(ComputeKernel.DispatchesRecorded - before, Is.EqualTo(expected));
+                Assert.That(GpuLaboratory.DispatchesRecorded - before, Is.EqualTo(expected));
             }
         }
 

@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using System.Linq;
 using NUnit.Framework;
+using SphFluid.Laboratory;
 using SphFluid.Validation;
 using UnityEngine;
 
@@ -115,10 +116,10 @@ namespace SphFluid.Tests
             using (var liquid = new BenchLiquid(SurfaceTestScene.LoadShaders(), solver, 500))
             {
                 GpuTest.Run(cmd => liquid.Solver.RecordSteps(cmd, 1)); // takes the particles in
-                long before = ComputeKernel.DispatchesRecorded;
+                long before = GpuLaboratory.DispatchesRecorded;
                 GpuTest.Run(cmd => liquid.Solver.RecordSteps(cmd, 1));
 
-                Assert.That(ComputeKernel.DispatchesRecorded - before, Is.EqualTo(expected));
+                Assert.That(GpuLaboratory.DispatchesRecorded - before, Is.EqualTo(expected));
                 Assert.That(liquid.TriangleCount, solver.HasMesh ? Is.GreaterThan(20) : Is.Zero);
                 Assert.That(liquid.Solver.Settings.SupportRadius / liquid.Solver.Settings.Spacing,
                     Is.EqualTo(solver.SupportRatio).Within(1e-5f));

@@ -87,9 +87,9 @@ namespace SphFluid.Tests
                     GpuTest.Run(cmd => surface.RecordTrial(cmd, liquid.Solver));
                     surface.TakeTrial();
                 }
-                long without = ComputeKernel.DispatchesRecorded;
+                long without = GpuLaboratory.DispatchesRecorded;
                 GpuTest.Run(cmd => surface.Record(cmd, liquid.Solver, drawing));
-                Assert.That(ComputeKernel.DispatchesRecorded - without, Is.GreaterThan(9), "the surface's passes and nine of whitewater");
+                Assert.That(GpuLaboratory.DispatchesRecorded - without, Is.GreaterThan(9), "the surface's passes and nine of whitewater");
                 Assert.That(surface.Facts.GpuBytes, Is.GreaterThan(2 * 48 * count));
             }
         }

@@ -3,6 +3,7 @@ using System.Collections;
 using System.Collections.Generic;
 using System.Linq;
 using NUnit.Framework;
+using SphFluid.Laboratory;
 using SphFluid.Validation;
 using UnityEngine;
 using UnityEngine.TestTools;
@@ -56,7 +57,7 @@ namespace SphFluid.Tests
             long before = 0;
             long Dispatches()
             {
-                long count = ComputeKernel.DispatchesRecorded - before;
+                long count = GpuLaboratory.DispatchesRecorded - before;
                 before += count;
                 return count;
             }

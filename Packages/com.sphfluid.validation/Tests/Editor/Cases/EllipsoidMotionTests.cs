@@ -19,7 +19,7 @@ namespace SphFluid.Tests
         [TestCase(3.5, 0.69204)]
         [TestCase(4.0, 0.78616)]
         public void HalfAxisIsThatOfTheTable(double time, double expected) =>
-        Assert.That(motion.AlongZ(time), Is.EqualTo(expected).Within(6e-6));
+            Assert.That(motion.AlongZ(time), Is.EqualTo(expected).Within(6e-6));
 
         [Test]
         public void PeriodAndRangeAreThoseOfTheTable()

@@ -14,7 +14,7 @@ namespace SphFluid.Tests
         [TestCase(-1.5f, 1.1920929e-7)]
         [TestCase(3f, 2 * 1.1920929e-7)]
         public void UlpIsTheDistanceOfFloats(float value, double expected) =>
-        Assert.That(RelativeMotionMetric.Ulp(value), Is.EqualTo(expected).Within(1e-6).Percent);
+            Assert.That(RelativeMotionMetric.Ulp(value), Is.EqualTo(expected).Within(1e-6).Percent);
 
         // dx = 1/64 m: 1e-4 dx = 1.5625e-6 m; 10 ulp at 1.5 m = 1.1921e-6 m. Of 4 particles one is moved, so the centre by a quarter.
         [TestCase(0f, 0.0)]

@@ -31,7 +31,7 @@ namespace SphFluid.Tests
 
         [Test]
         public void EqualPointsBothStay() =>
-        Assert.That(Front((2.0, 100, 0, 0.1, 0.0), (2.5, 100, 0, 0.1, 0.0)), Is.EqualTo(new[] { 2.0, 2.5 }));
+            Assert.That(Front((2.0, 100, 0, 0.1, 0.0), (2.5, 100, 0, 0.1, 0.0)), Is.EqualTo(new[] { 2.0, 2.5 }));
 
         [Test]
         public void ADearerPointBeatsNothingHoweverWideItsBars() =>

@@ -58,7 +58,7 @@ namespace SphFluid.Tests
 
         [Test]
         public void AnEmptyMeshIsClosed() =>
-        Assert.That(MeshEdges.Of(ExactMeshes.With(ExactMeshes.Tetrahedron(), new int[0])).IsClosed, Is.True);
+            Assert.That(MeshEdges.Of(ExactMeshes.With(ExactMeshes.Tetrahedron(), new int[0])).IsClosed, Is.True);
 
         [Test]
         public void TellsPartsAndTheirVolumes()

@@ -70,7 +70,7 @@ namespace SphFluid.Tests
 
         [Test]
         public void ARasterWithoutColumnsIsRefused() =>
-        Assert.Throws<ArgumentException>(() => new MeshColumns(new Rect(0f, 0f, 0.1f, 1f), 1f));
+            Assert.Throws<ArgumentException>(() => new MeshColumns(new Rect(0f, 0f, 0.1f, 1f), 1f));
 
         [Test]
         public void SteadyMotionDoesNotFlickerAndNoiseDoes()

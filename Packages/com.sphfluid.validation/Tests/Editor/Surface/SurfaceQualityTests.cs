@@ -51,7 +51,7 @@ namespace SphFluid.Tests
         [TestCase("sphere", 0.03)]
         [TestCase("torus", 0.03)]
         public void VolumesAreTheParticles(string name, double tolerance) =>
-        Assert.That(Measure(name).Volume, Is.EqualTo(1.0).Within(tolerance));
+            Assert.That(Measure(name).Volume, Is.EqualTo(1.0).Within(tolerance));
 
         [Test]
         public void ARisingPoolDoesNotStickToTheGrid()

@@ -71,14 +71,6 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void AKernelWithoutAKeywordIsNamed()
-        {
-            var kernel = shaders.Kernel("ResetGridIndices", "ResetGridIndices");
-            Assert.That(() => GpuTest.Run(cmd => kernel.SetKeyword(cmd, "FLUID_PERIODIC", true)),
-                Throws.TypeOf<FluidDeviceException>().With.Message.Contains("multi_compile_local _ FLUID_PERIODIC"));
-        }
-
-        [Test]
         public void TheHalfWithoutDoubledStiffnessHalvesTheForce()
         {
             FluidSolverSettings settings = TestSettings.ByRule(Vector3.one, 0.05f);

@@ -46,12 +46,12 @@ namespace SphFluid
         /// <summary>The ways of a method for an input, with what a number of particles costs.</summary>
         internal static IReadOnlyList<MethodOffer> Offers(FluidMethod method, in FluidRuleInput input, in AutomaticSpec asked,
             double millisecondsAStep) =>
-            method
-                .Offers(new MethodQuestion
-                {
-                    Input = input, FrameTime = 1.0 / asked.FrameRate,
-                    Affordable = asked.Budget / millisecondsAStep
-                });
+                method
+                    .Offers(new MethodQuestion
+                    {
+                        Input = input, FrameTime = 1.0 / asked.FrameRate,
+                        Affordable = asked.Budget / millisecondsAStep
+                    });
 
         private static void Add(List<FluidMethodCandidate> candidates, in FluidSpec spec, in FluidRuleInput input, FluidMethod method,
             long particles, bool hasBodies, StepMeter meter)

@@ -115,7 +115,7 @@ namespace SphFluid
         /// positive number.</exception>
         public static SurfaceFieldSettings For(FluidSurfaceQuality quality, in FluidSolverSettings settings,
             float cellSizeInSpacings) =>
-            Smooth(settings, Preset.Get(quality), cellSizeInSpacings, FieldKind.Smooth);
+                Smooth(settings, Preset.Get(quality), cellSizeInSpacings, FieldKind.Smooth);
 
         /// <summary>
         /// A field whose kernels are stretched along the surface (Yu and Turk 2010), λ = 0.9, no filter: flatter pools
@@ -127,7 +127,7 @@ namespace SphFluid
         /// positive number.</exception>
         public static SurfaceFieldSettings Anisotropic(in FluidSolverSettings settings,
             float cellSizeInSpacings = 0.5f) =>
-            Smooth(settings, Preset.OfAnisotropic, cellSizeInSpacings, FieldKind.Anisotropic);
+                Smooth(settings, Preset.OfAnisotropic, cellSizeInSpacings, FieldKind.Anisotropic);
 
         /// <summary>
         /// The thesis's field: the solver's kernel over each particle's mass, as <see cref="SurfaceField"/> has it.

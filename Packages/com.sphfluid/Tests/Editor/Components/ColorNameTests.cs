@@ -30,7 +30,7 @@ namespace SphFluid.Tests
         [Test]
         public void NoPublicNameHasColour()
         {
-            string[] names = typeof(FluidSimulation).Assembly.GetExportedTypes().SelectMany(Names).Distinct().ToArray();
+            string[] names = ProductTypes.All.Where(t => t.IsVisible).SelectMany(Names).Distinct().ToArray();
             Assert.That(names, Has.Member("ColorAtOneMetre"));
             Assert.That(names.Where(n => n.IndexOf("colour", StringComparison.OrdinalIgnoreCase) >= 0), Is.Empty);
         }

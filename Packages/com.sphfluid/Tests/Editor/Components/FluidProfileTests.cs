@@ -80,7 +80,7 @@ namespace SphFluid.Tests
             {
                 Assert.That(set.Missing(FluidMethods.Get(FluidMethodKind.Thesis).Shaders.Shaders),
                     Is.EqualTo(FluidMethods.Get(FluidMethodKind.Thesis).Shaders.Shaders).And.Contain("BitonicSort"));
-                set.ComputeShaders = new[] { TestShaders.Load("Shaders/Solver/Thesis/BitonicSort.compute"), null };
+                set.ComputeShaders = new[] { TestShaders.Load("Thesis/Shaders/Solver/BitonicSort.compute"), null };
                 Assert.That(set.Missing(FluidMethods.Get(FluidMethodKind.Thesis).Shaders.Shaders),
                     Does.Contain("CalculateNewPosition").And.Not.Contain("BitonicSort"));
                 Assert.That(set.Missing(ShaderGroup.Drawing.Shaders), Does.Contain("SPH Fluid/Particles"));

@@ -78,10 +78,10 @@ namespace SphFluid.Tests
         [TestCase("Any material: Fluid Surface Mesh", "any-material-fluid-surface-mesh")]
         [TestCase("Size the box", "size-the-box")]
         public void AHeadingsLinkIsAsWebSitesMakeIt(string heading, string link) =>
-        Assert.That(ManualHeadings.Link(heading), Is.EqualTo(link));
+            Assert.That(ManualHeadings.Link(heading), Is.EqualTo(link));
 
         // What is internal, nobody adds.
-        private static Type[] Documented() => typeof(FluidSimulation).Assembly.GetTypes()
+        private static Type[] Documented() => ProductTypes.All
             .Where(t => t.IsPublic && !t.IsAbstract &&
                 (typeof(MonoBehaviour).IsAssignableFrom(t) || typeof(ScriptableObject).IsAssignableFrom(t))).ToArray();
 

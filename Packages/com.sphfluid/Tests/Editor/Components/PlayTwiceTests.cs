@@ -91,7 +91,7 @@ namespace SphFluid.Tests
             light.shadows = LightShadows.Soft;
             FluidSimulation simulation = rig.Create();
             simulation.Method = FluidMethodKind.Standard;
-            foreach (Type type in typeof(FluidSimulation).Assembly.GetTypes()
+            foreach (Type type in ProductTypes.All
                 .Where(t => t.IsPublic && !t.IsAbstract && typeof(MonoBehaviour).IsAssignableFrom(t)))
             {
                 if (type == typeof(FluidSimulation)) continue;

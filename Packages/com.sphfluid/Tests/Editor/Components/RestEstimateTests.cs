@@ -24,7 +24,7 @@ namespace SphFluid.Tests
 
         [Test]
         public void BeforeAnythingIsKnownTheLongestTimeIsLeft() =>
-        Assert.That(Estimate().Settling(0.0, 50.0), Is.EqualTo(0.8).Within(1e-12));
+            Assert.That(Estimate().Settling(0.0, 50.0), Is.EqualTo(0.8).Within(1e-12));
 
         [Test]
         public void LiquidThatDoesNotSettleWillFlow()

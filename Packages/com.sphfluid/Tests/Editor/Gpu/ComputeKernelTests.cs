@@ -41,16 +41,24 @@ namespace SphFluid.Tests
         }
 
         [Test]
+        public void AKernelWithoutAKeywordIsNamed()
+        {
+            var kernel = new ComputeKernel(TestShaders.Load("Thesis/Shaders/Solver/ResetGridIndices.compute"), "ResetGridIndices");
+            Assert.That(() => GpuTest.Run(cmd => kernel.SetKeyword(cmd, "FLUID_PERIODIC", true)),
+                Throws.TypeOf<FluidDeviceException>().With.Message.Contains("multi_compile_local _ FLUID_PERIODIC"));
+        }
+
+        [Test]
         public void GroupSizeComesFromTheShader()
         {
-            var kernel = new ComputeKernel(TestShaders.Load("Shaders/Solver/Thesis/BitonicSort.compute"), "MatrixTranspose");
+            var kernel = new ComputeKernel(TestShaders.Load("Thesis/Shaders/Solver/BitonicSort.compute"), "MatrixTranspose");
             Assert.That(kernel.GroupSize, Is.EqualTo(new Vector3Int(32, 32, 1)));
         }
 
         [Test]
         public void MissingKernelIsNamed()
         {
-            ComputeShader shader = TestShaders.Load("Shaders/Solver/Thesis/BitonicSort.compute");
+            ComputeShader shader = TestShaders.Load("Thesis/Shaders/Solver/BitonicSort.compute");
             var error = Assert.Throws<FluidDeviceException>(() => new ComputeKernel(shader, "QuickSort"));
             Assert.That(error.Message, Does.Contain("QuickSort"));
         }

@@ -45,7 +45,7 @@ namespace SphFluid.Tests
         // Objects of the package; assets and components are shared, not held.
         private static bool IsOurs(object value) =>
             value != null && !(value is UnityEngine.Object) && !(value is Delegate) &&
-                value.GetType().Assembly == typeof(FluidSolver).Assembly;
+                ProductTypes.Assemblies.Contains(value.GetType().Assembly);
 
         private sealed class ByReference : IEqualityComparer<object>
         {

@@ -21,16 +21,17 @@ namespace SphFluid.Tests
             "Rendering/WaterDepth.shader",
             "Rendering/SurfaceDrawing.hlsl",
             "Rendering/WaterPath.hlsl", "Rendering/WaterShading.hlsl", "Rendering/WaterThickness.hlsl",
-            "Surface/Thesis/FluidSurfaceGeometry.shader", "Surface/SurfaceFragment.hlsl", "Surface/Thesis/SurfaceGeometry.hlsl",
+            "../Thesis/Shaders/Surface/FluidSurfaceGeometry.shader", "Surface/SurfaceFragment.hlsl",
+            "../Thesis/Shaders/Surface/SurfaceGeometry.hlsl",
             "Surface/SurfaceShading.hlsl",
             "Surface/SurfaceGrid.hlsl", "Surface/MarchingCubes.hlsl", "Surface/Sparse/SurfaceVertices.hlsl",
         };
 
         [TestCase("Rendering/FluidParticles.shader")]
         [TestCase("Rendering/FluidSurface.shader")]
-        [TestCase("Surface/Thesis/FluidSurfaceGeometry.shader")]
+        [TestCase("../Thesis/Shaders/Surface/FluidSurfaceGeometry.shader")]
         public void PassesServeBuiltInAndScriptablePipelines(string file) =>
-        CheckPasses(file, "ShadowCaster", "DepthOnly", "DepthNormalsOnly");
+            CheckPasses(file, "ShadowCaster", "DepthOnly", "DepthNormalsOnly");
 
         // Of transparent things no pipeline wants the depth.
         [Test]
@@ -58,7 +59,7 @@ namespace SphFluid.Tests
             string text = Text(file);
             foreach (Match match in Regex.Matches(text, "#include \"([^\"]+)\""))
             {
-                StringAssert.DoesNotMatch("^Packages/|UnityCG|Lighting|Core", match.Groups[1].Value);
+                StringAssert.DoesNotMatch("^Packages/(?!com.sphfluid/)|UnityCG|Lighting|Core", match.Groups[1].Value);
             }
             StringAssert.DoesNotMatch("_WorldSpaceLightPos0|_LightColor0|_MainLight|unity_SH[ABC]", text);
             StringAssert.DoesNotMatch("UNITY_MATRIX_|CGPROGRAM", text);

@@ -11,7 +11,7 @@ namespace SphFluid.Tests
         [TestCase("a", 0xE8B7BE43u)]
         [TestCase("123456789", 0xCBF43926u)]
         public void KnownChecksAreMet(string text, uint expected) =>
-        Assert.That(Crc32.Compute(Encoding.ASCII.GetBytes(text)), Is.EqualTo(expected));
+            Assert.That(Crc32.Compute(Encoding.ASCII.GetBytes(text)), Is.EqualTo(expected));
 
         [Test]
         public void EveryLengthAndEveryCutGiveWhatTheDefinitionGives()

@@ -101,7 +101,7 @@ namespace SphFluid.Tests
         [TestCase(double.NaN)]
         [TestCase(double.PositiveInfinity)]
         public void BadSpeedIsRefused(double speed) =>
-        Assert.Throws<ArgumentOutOfRangeException>(() => FluidRules.Advise(Example(), speed));
+            Assert.Throws<ArgumentOutOfRangeException>(() => FluidRules.Advise(Example(), speed));
 
         // c = 10 m/s, R = 5 cm, dx = 2.5 cm, ν = 0.01 m²/s, walls of 160² 1/s² with critical damping.
         private static FluidSolverSettings Example() => new FluidSolverSettings

@@ -33,7 +33,7 @@ namespace SphFluid.Tests
         [Test]
         public void SettingsThatMustBePositiveAre([ValueSource(nameof(PositiveSettings))] string name,
             [Values(0f, -1f, float.NaN, float.PositiveInfinity)] float bad) =>
-            Refuses(name, () => Changed(Settings(), name, bad).Validate());
+                Refuses(name, () => Changed(Settings(), name, bad).Validate());
 
         [Test]
         public void SettingsThatMayBeZeroAreNotNegative([ValueSource(nameof(OtherSettings))] string name,
@@ -46,7 +46,7 @@ namespace SphFluid.Tests
         [Test]
         public void TheThesisMethodsOwnMustBePositive([ValueSource(nameof(PositiveOfThesis))] string name,
             [Values(0f, -1f, float.NaN, float.PositiveInfinity)] float bad) =>
-            Refuses(name, () => OfThesis(name, bad).Validate());
+                Refuses(name, () => OfThesis(name, bad).Validate());
 
         [Test]
         public void TheThesisMethodsOwnThatMayBeZeroIsNotNegative([ValueSource(nameof(OtherOfThesis))] string name,
@@ -86,7 +86,7 @@ namespace SphFluid.Tests
         [Test]
         public void RulesRefuseWhatMustBePositive([ValueSource(nameof(PositiveInput))] string name,
             [Values(0f, -1f, float.NaN)] float bad) =>
-            Refuses(name, () => FluidRules.Derive(Changed(Input(), name, bad)));
+                Refuses(name, () => FluidRules.Derive(Changed(Input(), name, bad)));
 
         [Test]
         public void RulesRefuseWhatMayNotBeNegative([ValueSource(nameof(OtherInput))] string name, [Values(-1f, float.NaN)] float bad) =>

@@ -120,11 +120,12 @@ namespace SphFluid
         // speed.
         private static TimeStepAdvice Advise(double spacing, double radius, double sound, double speed, double kinematic,
             double wallStiffness, double wallDamping) =>
-            new TimeStepAdvice(
-                AcousticBorder * radius / (Math.Sqrt(2.0 * sound * sound) * (1.0 + speed / sound)),
-                TimeStepAdvice.SpeedStep(spacing, speed),
-                TimeStepAdvice.ViscousStep(ViscousLimit, radius, kinematic), TimeStepAdvice.ViscousStep(ViscousBorder, radius, kinematic),
-                WallStep(wallStiffness, wallDamping), sound, speed, kinematic);
+                new TimeStepAdvice(
+                    AcousticBorder * radius / (Math.Sqrt(2.0 * sound * sound) * (1.0 + speed / sound)),
+                    TimeStepAdvice.SpeedStep(spacing, speed),
+                    TimeStepAdvice.ViscousStep(ViscousLimit, radius, kinematic),
+                    TimeStepAdvice.ViscousStep(ViscousBorder, radius, kinematic),
+                    WallStep(wallStiffness, wallDamping), sound, speed, kinematic);
 
         // Largest dt with k dt² = margin (4 − 2 c dt).
         private static double WallStep(double stiffness, double damping)

@@ -22,7 +22,7 @@ namespace SphFluid.Tests
         [TestCase(3.99, 2)]
         [TestCase(0.01, 2)]
         public void TheFirstThatFitsElseTheCheapest(double budget, int expected) =>
-        Assert.That(MethodRule.Pick(Of(Usual), budget), Is.EqualTo(expected));
+            Assert.That(MethodRule.Pick(Of(Usual), budget), Is.EqualTo(expected));
 
         [Test]
         public void TheCheapestNeedNotBeTheLast() => Assert.That(MethodRule.Pick(Of(10.0, 3.0, 5.0), 1.0), Is.EqualTo(1));

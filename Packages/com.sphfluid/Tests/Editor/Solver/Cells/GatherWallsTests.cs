@@ -71,7 +71,7 @@ namespace SphFluid.Tests
 
         [Test]
         public void WallStrideIsTheSizeOfTheStruct() =>
-        Assert.That(Marshal.SizeOf<StoredWall.Packed>(), Is.EqualTo(MeshWallBuffers.WallStride));
+            Assert.That(Marshal.SizeOf<StoredWall.Packed>(), Is.EqualTo(MeshWallBuffers.WallStride));
 
         [TestCase(1)]
         [TestCase(5)]

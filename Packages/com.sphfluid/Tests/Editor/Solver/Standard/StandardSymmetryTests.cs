@@ -40,13 +40,13 @@ namespace SphFluid.Tests
 
         [Test]
         public void ElsewhereItGoesAsItDid() =>
-        Check(new Image { Turn = Quaternion.identity, Scale = 1f, Shift = new Vector3(0.0137f, 0.0071f, -0.0093f) }, 5e-5);
+            Check(new Image { Turn = Quaternion.identity, Scale = 1f, Shift = new Vector3(0.0137f, 0.0071f, -0.0093f) }, 5e-5);
 
         [TestCase(4f, 1e-6)] // lengths, times and speeds by powers of two: no digit changes
         [TestCase(0.25f, 1e-6)]
         [TestCase(3f, 5e-5)]
         public void ItsScaleIsThatOfFroude(float scale, double within) =>
-        Check(new Image { Turn = Quaternion.identity, Scale = scale }, within);
+            Check(new Image { Turn = Quaternion.identity, Scale = scale }, within);
 
         private static void Check(Image image, double within)
         {

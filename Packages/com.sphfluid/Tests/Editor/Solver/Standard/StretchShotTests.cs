@@ -24,7 +24,7 @@ namespace SphFluid.Tests
         [Test]
         [Explicit("Four times as many shots: a minute.")]
         public void NoShotOfManyCrosses([Values(0f, 2f)] float offset, [Values(0, 1, 2)] int kind, [Values] bool deforms) =>
-        Shoot(offset, kind, deforms, 4096);
+            Shoot(offset, kind, deforms, 4096);
 
         private static void Shoot(float offset, int kind, bool deforms, int count)
         {

@@ -12,7 +12,7 @@ namespace SphFluid.Tests
         [TestCase(0.5, 0.5, 2, 0.15, 0.513)]
         public void ValuesAreThoseOfTheReference(double cell, double smoothing, int passes, double offset,
             double expected) =>
-            Assert.AreEqual(expected, SurfaceIsoCalibration.IsoValue(2.0, cell, smoothing, passes, offset), 0.0015);
+                Assert.AreEqual(expected, SurfaceIsoCalibration.IsoValue(2.0, cell, smoothing, passes, offset), 0.0015);
 
         // Without a filter the cells do not matter but for the straight line between two samples.
         [Test]

@@ -46,9 +46,9 @@ namespace SphFluid.Tests
 
         private static IEnumerable<(int Other, Double3 Separation)> Near(FluidSolverSettings settings,
             IReadOnlyList<FluidParticle> particles, int i) =>
-            Enumerable.Range(0, particles.Count).Where(j => j != i)
-                .Select(j => (j, ThesisReference.Separation(particles[i], particles[j], settings.PeriodLength)))
-                .Where(pair => pair.Item2.Length < settings.SupportRadius);
+                Enumerable.Range(0, particles.Count).Where(j => j != i)
+                    .Select(j => (j, ThesisReference.Separation(particles[i], particles[j], settings.PeriodLength)))
+                    .Where(pair => pair.Item2.Length < settings.SupportRadius);
 
         private static Double3 WallGradient(in FluidSolverSettings settings, Double3 p)
         {
