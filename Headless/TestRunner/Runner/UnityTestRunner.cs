@@ -44,7 +44,8 @@ static class UnityTestRunner
                 Print(output, outcome);
                 finished?.Invoke(outcome);
             }
-            Test[] suites = [.. assemblies.Select(Suite)];
+            // An assembly of base classes alone has none.
+            Test[] suites = [.. assemblies.Select(Suite).Where(s => s.HasChildren)];
             foreach (TestFilter filter in selection.Filters())
             {
                 var runner = new SuiteRunner(filter, Report, () => failed && selection.StopOnFail);

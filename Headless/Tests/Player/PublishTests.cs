@@ -25,8 +25,10 @@ public sealed class PublishTests
             mkdir -p "$2/lib" && echo player > "$2/sphplayer" && echo library > "$2/lib/a.dll"
             """);
         Write("Build/ScriptAssemblies/SphFluid.dll", "a");
+        Write("Build/ScriptAssemblies/SphFluid.Thesis.dll", "e");
         Write("Build/ScriptAssemblies/SphFluid.Playback.dll", "c");
         Write("Build/ScriptAssemblies/SphFluid.PySph.dll", "d");
+        Write("Build/ScriptAssemblies/SphFluid.Validation.Laboratory.dll", "f");
         Write("Build/ScriptAssemblies/SphFluid.Validation.dll", "b");
         foreach (string program in new[] { "run", "bin/dotnet" })
             File.SetUnixFileMode(Path.Combine(root, program), UnixFileMode.UserRead | UnixFileMode.UserWrite | UnixFileMode.UserExecute);
@@ -39,7 +41,7 @@ public sealed class PublishTests
     public void AFolderThatIsNotThereIsMadeAndListed()
     {
         Assert.That(Publish(outside).Code, Is.Zero);
-        Assert.That(FilesIn(outside), Is.EqualTo(new[] { "ScriptAssemblies/SphFluid.Playback.dll", "ScriptAssemblies/SphFluid.PySph.dll", "ScriptAssemblies/SphFluid.Validation.dll", "ScriptAssemblies/SphFluid.dll", "lib/a.dll", "sphplayer", List }));
+        Assert.That(FilesIn(outside), Is.EqualTo(new[] { "ScriptAssemblies/SphFluid.Playback.dll", "ScriptAssemblies/SphFluid.PySph.dll", "ScriptAssemblies/SphFluid.Thesis.dll", "ScriptAssemblies/SphFluid.Validation.Laboratory.dll", "ScriptAssemblies/SphFluid.Validation.dll", "ScriptAssemblies/SphFluid.dll", "lib/a.dll", "sphplayer", List }));
         Assert.That(Directory.GetFileSystemEntries(Path.GetDirectoryName(outside)!), Has.Length.EqualTo(2), "nothing is left beside it");
     }
 

@@ -94,7 +94,7 @@ namespace SphFluid.Tests
 
         private static string Meta(Type type)
         {
-            string[] found = Directory.GetFiles(Path.GetFullPath(Package + "Runtime"), type.Name + ".cs.meta", SearchOption.AllDirectories);
+            string[] found = Directory.GetFiles(Path.GetFullPath(Package), type.Name + ".cs.meta", SearchOption.AllDirectories);
             Assert.That(found, Has.Length.EqualTo(1), type.Name);
             return found[0];
         }
