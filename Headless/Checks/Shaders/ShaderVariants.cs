@@ -7,7 +7,7 @@ namespace Headless.Checks.Shaders;
 /// left out.</summary>
 internal static class ShaderVariants
 {
-    private const string Tests = "Tests/";
+    private const string Tests = "/Tests/";
 
     /// <param name="problems">Files that cannot be read, one message each.</param>
     public static List<ShaderVariant> Read(ProjectPackages packages, IncludeResolver includes, List<string> problems)
@@ -15,7 +15,7 @@ internal static class ShaderVariants
         var variants = new List<ShaderVariant>();
         foreach (var path in packages.Files())
         {
-            if (packages.PathInPackage(path).StartsWith(Tests, StringComparison.Ordinal)) continue;
+            if (("/" + packages.PathInPackage(path)).Contains(Tests, StringComparison.Ordinal)) continue;
             var file = packages.NameOf(path);
             try
             {

@@ -48,7 +48,7 @@ namespace SphFluid
             "Same neighbours, other cost. A change starts the liquid again.")]
         public bool OctantSearch;
 
-        /// <summary>True: the sort of <see cref="ThesisSettings.FusedSort"/>. Printed, Appendix A: off.</summary>
+        /// <summary>True: the sort of <c>ThesisSettings.FusedSort</c>. Printed, Appendix A: off.</summary>
         [Tooltip(
             "The sort keeps runs of 2,048 pairs in shared memory from level to level, in a third of the dispatches. Off: as Appendix A " +
             "has it. " +

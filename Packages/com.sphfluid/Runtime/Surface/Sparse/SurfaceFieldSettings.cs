@@ -130,7 +130,7 @@ namespace SphFluid
                 Smooth(settings, Preset.OfAnisotropic, cellSizeInSpacings, FieldKind.Anisotropic);
 
         /// <summary>
-        /// The thesis's field: the solver's kernel over each particle's mass, as <see cref="SurfaceField"/> has it.
+        /// The thesis's field: the solver's kernel over each particle's mass, as <c>SurfaceField</c> has it.
         /// </summary>
         /// <param name="settings">The liquid.</param>
         /// <param name="grid">The grid it is sampled on.</param>

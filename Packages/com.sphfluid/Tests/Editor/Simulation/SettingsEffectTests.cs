@@ -174,7 +174,7 @@ namespace SphFluid.Tests
             Type type = value.GetType();
             if (!type.IsValueType || type.IsPrimitive || type.IsEnum)
             {
-                return value is Object asset ? asset.GetInstanceID().ToString() : value is IEnumerable ? "" : value.ToString();
+                return value is Object asset ? asset.GetHashCode().ToString() : value is IEnumerable ? "" : value.ToString();
             }
             return string.Join(";", type.GetFields(Fields).Where(f => f.Name != nameof(ProfileSpec.Revision))
                 .Select(f => Shown(f.GetValue(value))));
