@@ -8,13 +8,12 @@ namespace SphFluid
         private static readonly int ParticleCount = Id("_ParticleCount");
         private static readonly int Damping = Id("_Damping");
 
-        private readonly ComputeKernel kernel, stop;
+        private readonly ComputeKernel kernel;
 
         public DampVelocitiesPass(FluidShaderSet shaders)
             : base(shaders, "DampVelocities")
         {
             kernel = Kernel();
-            stop = Kernel("StopVelocities");
         }
 
         /// <param name="cmd">Command buffer to record into, behind a step.</param>
@@ -28,17 +27,6 @@ namespace SphFluid
                 kernel.SetFloat(cmd, Damping, damping);
                 kernel.SetOut(cmd, state.Buffers.NewVelocities);
                 kernel.DispatchThreads(cmd, state.ParticleCount);
-            }
-        }
-
-        /// <summary>Stops all particles behind a step.</summary>
-        public void RecordStop(CommandBuffer cmd, CellState state)
-        {
-            using (Sample(cmd))
-            {
-                stop.SetInt(cmd, ParticleCount, state.ParticleCount);
-                stop.SetOut(cmd, state.Buffers.NewVelocities);
-                stop.DispatchThreads(cmd, state.ParticleCount);
             }
         }
     }

@@ -26,25 +26,5 @@ namespace SphFluid.Tests
             }
             Object.DestroyImmediate(shaders);
         }
-
-        [TestCase(1)]
-        [TestCase(63)]
-        [TestCase(64)]
-        [TestCase(65)]
-        [TestCase(1009)]
-        public void EveryVelocityStopsAndKeepsItsId(int count)
-        {
-            FluidSolverSettings settings = BodyRig.Water(new Vector3(0.4f, 0.5f, 0.3f), 0.05f, 0.3f);
-            FluidShaderSet shaders = TestShaders.CreateSet();
-            using (var state = new StandardState(settings, count))
-            {
-                var velocities = Enumerable.Range(0, count).Select(i => new Vector4(i, -2f * i, 0.5f, 7f + i)).ToArray();
-                state.Buffers.NewVelocities.SetData(velocities);
-                GpuTest.Run(cmd => new DampVelocitiesPass(shaders).RecordStop(cmd, state));
-                Vector4[] after = GpuTest.Read<Vector4>(state.Buffers.NewVelocities, count);
-                for (int i = 0; i < count; i++) Assert.That(after[i], Is.EqualTo(new Vector4(0f, 0f, 0f, 7f + i)));
-            }
-            Object.DestroyImmediate(shaders);
-        }
     }
 }
