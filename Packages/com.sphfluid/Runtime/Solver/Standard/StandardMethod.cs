@@ -10,7 +10,7 @@ namespace SphFluid
         private static readonly ShaderGroup Group = new ShaderGroup("the Standard method", "Shaders/Solver/Standard",
             groupThreads: 64, buffers: 16, writableBuffers: 6, groupMemory: 6144, vertexBuffers: 0,
             new[] { "StandardDensity", "MoveParticles", "KickParticles", "DiffuseVelocities",
-                "DriftParticles", "LimitVelocities" }.Concat(StandardForces.Shaders).ToArray())
+                "DriftParticles" }.Concat(StandardForces.Shaders).ToArray())
             .With(CellShaders.Group);
 
         private static readonly string[] Fields = new[] { "soundSpeedMode", "timeStepFraction" }.Concat(StandardForces.ProfileFields)

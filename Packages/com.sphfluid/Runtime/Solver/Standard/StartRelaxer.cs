@@ -35,7 +35,6 @@ namespace SphFluid
         private readonly StandardStepper stepper;
         private readonly StandardState state;
         private readonly DampVelocitiesPass damping;
-        private readonly LimitVelocitiesPass limit;
         private readonly CounterReadback counters;
         private readonly double step, crossing, fall;
         private readonly RestEstimate estimate;
@@ -53,7 +52,6 @@ namespace SphFluid
             CollisionBodies bodies, double height)
         {
             damping = new DampVelocitiesPass(shaders);
-            limit = new LimitVelocitiesPass(shaders);
             step = Math.Min(settings.TimeStep, StandardRules.Advise(settings, settings.MaxSpeed).Largest);
             double depth = Math.Max(height, settings.SupportRadius);
             crossing = depth / settings.SoundSpeed;
@@ -160,7 +158,6 @@ namespace SphFluid
                 stepper.RecordNeighbourSetup(cmd);
                 stepper.RecordMotion(cmd, new FluidStep((float)step, (float)step, Steps == 0));
                 damping.Record(cmd, state, (float)Math.Exp(-rate(time) * step));
-                limit.Record(cmd, state, state.Settings.SoundSpeed);
                 Steps++;
                 recorded++;
                 time += step;
