@@ -9,7 +9,10 @@ namespace SphFluid
     /// </summary>
     internal static class FluidMethods
     {
-        private static readonly List<FluidMethod> Methods = new List<FluidMethod> { new StandardMethod(), new RobustMethod() };
+        private static readonly List<FluidMethod> Methods = new List<FluidMethod>
+        {
+            new StandardMethod(), new RobustMethod(), new BallisticMethod(),
+        };
 
         /// <summary>All methods, the default one first.</summary>
         public static IReadOnlyList<FluidMethod> All => Methods;
