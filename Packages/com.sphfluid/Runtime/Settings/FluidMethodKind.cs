@@ -27,8 +27,5 @@ namespace SphFluid
         /// what they cost on this device. <see cref="FluidSimulation.ActiveMethod"/> is the one picked. A solver takes only a picked one.
         /// </summary>
         Automatic = 4,
-
-        /// <summary>Particles that fall and feel nothing of each other.</summary>
-        Ballistic = 5,
     }
 }

@@ -9,10 +9,7 @@ namespace SphFluid
     /// </summary>
     internal static class FluidMethods
     {
-        private static readonly List<FluidMethod> Methods = new List<FluidMethod>
-        {
-            new StandardMethod(), new RobustMethod(), new BallisticMethod(),
-        };
+        private static readonly List<FluidMethod> Methods = new List<FluidMethod> { new StandardMethod(), new RobustMethod() };
 
         /// <summary>All methods, the default one first.</summary>
         public static IReadOnlyList<FluidMethod> All => Methods;

@@ -52,7 +52,7 @@ namespace SphFluid.Tests
             FluidSupport support = FluidSupport.From(device);
             Assert.That(support.Simulation && support.Supports(FluidMethodKind.Thesis) && !support.Supports(FluidMethodKind.Standard));
             Assert.That(support.ErrorsOf(FluidMethodKind.Standard).Single().ToString(),
-                Does.Contain("binds 8 buffers").And.Contain("Method to Ballistic"));
+                Does.Contain("binds 8 buffers").And.Contain("Method to Thesis"));
         }
 
         [Test]
@@ -72,7 +72,7 @@ namespace SphFluid.Tests
         }
 
         [TestCase(128, 64, "groups of 128 threads")]
-        [TestCase(1024, 0, "binds 0 buffers")]
+        [TestCase(1024, 4, "binds 4 buffers")]
         public void SmallLimitsStopTheSimulation(int threads, int buffers, string reason)
         {
             DeviceCapabilities device = Device();
