@@ -11,6 +11,7 @@ namespace SphFluid
         public static readonly IReadOnlyList<ParticleForce> All = new ParticleForce[]
         {
             new SurfaceTensionForce(),
+            new AirDragForce(),
         };
 
         /// <summary>Features that are forces: without one a liquid would be another.</summary>
