@@ -43,10 +43,6 @@ namespace SphFluid
             {
                 Say(report, spec.Profile.Asset, $"Surface tension is not exported: {Schemes} have none.", "");
             }
-            if ((asked & FluidMethodFeatures.AirDrag) != 0)
-            {
-                Say(report, spec.Profile.Asset, $"Air drag is not exported: {Schemes} have none.", "");
-            }
             if ((asked & FluidMethodFeatures.ImplicitViscosity) != 0)
             {
                 Say(report, spec.Profile.Asset,

@@ -161,7 +161,6 @@ namespace SphFluid.Tests
             ("Crate", t => t.AddBox("Crate", new Vector3(0.15f, 0f, 0f)).gameObject.AddComponent<Rigidbody>(), "is moved by the liquid"),
             ("Test Water", t => (t.rig.Profile.SurfaceTension, t.rig.Profile.TensionAtAnySpacing) = (0.07f, true),
                 "Surface tension is not exported"),
-            ("Test Water", t => t.rig.Profile.AirDensity = 1.2f, "Air drag is not exported"),
             ("Test Water", t => t.rig.Profile.KinematicViscosity = 1f, "Implicit viscosity is not exported"),
         };
 

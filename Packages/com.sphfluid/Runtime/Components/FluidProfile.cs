@@ -43,10 +43,6 @@ namespace SphFluid
             "above it draws back from them. Acts with Surface Tension. Standard method only.")]
         private float contactAngle = 90f;
 
-        [SerializeField, Min(0f), Tooltip("Density in kg/m³ of the still air that drags on the liquid's surface. Air: 1.2. 0: no drag. " +
-            "Standard method only.")]
-        private float airDensity;
-
         [Header("Accuracy")]
         [SerializeField, Range(1.5f, 4f),
             Tooltip("Support radius R divided by the particle spacing. 2 gives about 33 neighbours, 2.25 48, 2.5 65: " +
@@ -126,9 +122,6 @@ namespace SphFluid
         /// <summary>Contact angle at walls [degrees]; method Standard, 0 to 180.</summary>
         public float ContactAngle { get => contactAngle; set { contactAngle = value; Touch(); } }
 
-        /// <summary>Density of the air that drags on the surface [kg/m³]; method Standard, 0 to 100.</summary>
-        public float AirDensity { get => airDensity; set { airDensity = value; Touch(); } }
-
         /// <summary>κ = R/dx: support radius over particle spacing, 1.5 to 4.</summary>
         public float SupportRatio { get => supportRatio; set { supportRatio = value; Touch(); } }
 
@@ -202,7 +195,6 @@ namespace SphFluid
                 rules.SurfaceTension = surfaceTension;
                 rules.TensionAtAnySpacing = tensionAtAnySpacing;
                 rules.ContactAngle = contactAngle;
-                rules.AirDensity = airDensity;
                 rules.SupportRatio = supportRatio;
                 rules.SoundSpeedRatio = soundSpeedRatio;
                 rules.MaxCompression = maxCompression;
@@ -231,7 +223,6 @@ namespace SphFluid
             kinematicViscosity = ClampFinite(kinematicViscosity, 0f, 10f, 1e-6f);
             surfaceTension = ClampFinite(surfaceTension, 0f, 100f, 0f);
             contactAngle = ClampFinite(contactAngle, 0f, 180f, 90f);
-            airDensity = ClampFinite(airDensity, 0f, 100f, 0f);
             supportRatio = ClampFinite(supportRatio, 1.5f, 4f, 2.25f);
             soundSpeedRatio = ClampFinite(soundSpeedRatio, 3f, 20f, 5f);
             maxCompression = ClampFinite(maxCompression, 0.001f, 0.2f, 0.04f);

@@ -49,8 +49,5 @@ namespace SphFluid
 
         /// <summary>Viscosity that is solved for, so that no step is too long for it.</summary>
         ImplicitViscosity = 8192,
-
-        /// <summary>Drag of still air on the surface.</summary>
-        AirDrag = 16384,
     }
 }

@@ -53,9 +53,6 @@ namespace SphFluid
         /// <summary>Contact angle of the liquid at walls [degrees], 0 to 180; with <see cref="SurfaceTension"/>.</summary>
         public float ContactAngle;
 
-        /// <summary>Density of the still air around the liquid, which drags on its surface [kg/m³]; 0: none. Method Standard.</summary>
-        public float AirDensity;
-
         /// <summary>κ = R/dx.</summary>
         public float SupportRatio;
 
@@ -151,7 +148,6 @@ namespace SphFluid
             Require.NotNegative(FixedTimeStep, nameof(FixedTimeStep));
             Require.NotNegative(SurfaceTension, nameof(SurfaceTension));
             Require.Within(ContactAngle, 0.0, 180.0, nameof(ContactAngle));
-            Require.NotNegative(AirDensity, nameof(AirDensity));
             Require.Within(Substeps, 1.0, MostSubsteps, nameof(Substeps));
             Switches.Validate();
         }

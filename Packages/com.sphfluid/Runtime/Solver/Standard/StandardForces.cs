@@ -11,7 +11,6 @@ namespace SphFluid
         public static readonly IReadOnlyList<ParticleForce> All = new ParticleForce[]
         {
             new SurfaceTensionForce(),
-            new AirDragForce(),
         };
 
         /// <summary>Features that are forces: without one a liquid would be another.</summary>
