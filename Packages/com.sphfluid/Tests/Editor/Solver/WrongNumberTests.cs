@@ -27,7 +27,8 @@ namespace SphFluid.Tests
 
         private static readonly string[] OtherInput =
         {
-            "LiquidHeight", "LiquidDepth", "InitialSpeed", "KinematicViscosity", "ViscosityRatio", "WallStiffnessRatio", "WallDampingRatio",
+            "LiquidHeight", "LiquidDepth", "InitialSpeed", "KinematicViscosity", "ViscosityRatio", "StandardViscosityShare",
+            "WallStiffnessRatio", "WallDampingRatio",
         };
 
         [Test]
