@@ -77,10 +77,6 @@ namespace SphFluid
             "speed of sound times support radius. The Standard method takes a tenth of it.")]
         private float viscosityRatio = 0.01f;
 
-        [SerializeField, Range(0f, 1f),
-            Tooltip("Part of the Viscosity Ratio that the Standard method takes: its one kernel needs a tenth. Standard method only.")]
-        private float standardViscosityShare = 0.1f;
-
         [Header("Walls of the thesis method")]
         [SerializeField, Range(0.1f, 1f),
             Tooltip("Distance at which walls and colliders begin to push, as a multiple of the particle spacing.")]
@@ -147,9 +143,6 @@ namespace SphFluid
         /// <summary>Least kinematic viscosity over c · R with the thesis method; Standard takes a tenth of it, 0 to 0.05.</summary>
         public float ViscosityRatio { get => viscosityRatio; set { viscosityRatio = value; Touch(); } }
 
-        /// <summary>Part of <see cref="ViscosityRatio"/> that acts; method Standard, 0 to 1.</summary>
-        public float StandardViscosityShare { get => standardViscosityShare; set { standardViscosityShare = value; Touch(); } }
-
         /// <summary>Wall distance over particle spacing; thesis method, 0.1 to 1.</summary>
         public float WallDistanceRatio { get => wallDistanceRatio; set { wallDistanceRatio = value; Touch(); } }
 
@@ -208,7 +201,6 @@ namespace SphFluid
                 rules.TimeStepFraction = timeStepFraction;
                 rules.Substeps = substeps;
                 rules.ViscosityRatio = viscosityRatio;
-                rules.StandardViscosityShare = standardViscosityShare;
                 rules.WallDistanceRatio = wallDistanceRatio;
                 rules.WallStiffnessRatio = wallStiffnessRatio;
                 rules.WallDampingRatio = wallDampingRatio;
@@ -237,7 +229,6 @@ namespace SphFluid
             timeStepFraction = ClampFinite(timeStepFraction, 0.05f, 1f, 0.75f);
             substeps = Mathf.Clamp(substeps, 1, FluidRuleInput.MostSubsteps);
             viscosityRatio = ClampFinite(viscosityRatio, 0f, 0.05f, 0.01f);
-            standardViscosityShare = ClampFinite(standardViscosityShare, 0f, 1f, 0.1f);
             wallDistanceRatio = ClampFinite(wallDistanceRatio, 0.1f, 1f, 0.5f);
             wallStiffnessRatio = ClampFinite(wallStiffnessRatio, 0.05f, 4f, 1f);
             wallDampingRatio = ClampFinite(wallDampingRatio, 0f, 1f, 1f);

@@ -65,9 +65,6 @@ namespace SphFluid
         /// <summary>α: the thesis method's least kinematic viscosity over c R; Standard needs a tenth of it.</summary>
         public float ViscosityRatio;
 
-        /// <summary>Part of <see cref="ViscosityRatio"/> that acts; method Standard.</summary>
-        public float StandardViscosityShare;
-
         /// <summary>Time step over the method's acoustic limit, <see cref="TimeStepAdvice"/>.</summary>
         public float TimeStepFraction;
 
@@ -104,7 +101,6 @@ namespace SphFluid
             SoundSpeedRatio = 5f,
             MaxCompression = 0.04f,
             ViscosityRatio = 0.01f,
-            StandardViscosityShare = 0.1f,
             TimeStepFraction = 0.75f,
             Substeps = 4,
             WallDistanceRatio = 0.5f,
@@ -147,7 +143,6 @@ namespace SphFluid
             Require.NotNegative(LoadSpeed, nameof(LoadSpeed));
             Require.NotNegative(KinematicViscosity, nameof(KinematicViscosity));
             Require.NotNegative(ViscosityRatio, nameof(ViscosityRatio));
-            Require.NotNegative(StandardViscosityShare, nameof(StandardViscosityShare));
             Require.NotNegative(WallStiffnessRatio, nameof(WallStiffnessRatio));
             Require.NotNegative(WallDampingRatio, nameof(WallDampingRatio));
             Require.NotNegative(FixedTimeStep, nameof(FixedTimeStep));

@@ -13,8 +13,8 @@ namespace SphFluid
                 "DriftParticles" }.Concat(StandardForces.Shaders).ToArray())
             .With(CellShaders.Group);
 
-        private static readonly string[] Fields = new[] { "soundSpeedMode", "timeStepFraction", "standardViscosityShare" }
-            .Concat(StandardForces.ProfileFields).ToArray();
+        private static readonly string[] Fields = new[] { "soundSpeedMode", "timeStepFraction" }.Concat(StandardForces.ProfileFields)
+            .ToArray();
 
         // A walk over the neighbours that adds little to each, over the mean of those of density and forces: 0.73 measured with 8,160
         // particles and 7 iterations on llvmpipe.

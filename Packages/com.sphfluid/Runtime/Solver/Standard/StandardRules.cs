@@ -17,6 +17,9 @@ namespace SphFluid
         private const double ViscousLimit = 0.035;
         private const double ViscousBorder = 0.072;
 
+        // Of the profile's Viscosity Ratio: one kernel for density and force needs a tenth of what the thesis's two need.
+        private const double ViscosityShare = 0.1;
+
         // τ c/R, and the rate at which density grows over ρ0 c/R.
         private const float ImpactTime = 0.4f, ImpactRate = 0.07f;
 
@@ -25,7 +28,7 @@ namespace SphFluid
             var own = new StandardSettings { StableOrder = true, NeighbourList = true, StepsPerSort = ListReuse.MostSteps };
             foreach (ParticleForce force in StandardForces.All) force.Derive(input, ref own);
             FluidSolverSettings settings = CellRules.Derive(
-                input, input.StandardViscosityShare, out double speed, out double sound, out double kinematic,
+                input, ViscosityShare, out double speed, out double sound, out double kinematic,
                 StandardForces.LeastSoundSpeed(input, own));
             double dx = input.Spacing;
             double radius = input.SupportRatio * dx;

@@ -26,7 +26,6 @@ namespace SphFluid.Tests
             Assert.That(profile.SoundSpeedRatio, Is.EqualTo(water.SoundSpeedRatio));
             Assert.That(profile.MaxCompression, Is.EqualTo(water.MaxCompression));
             Assert.That(profile.ViscosityRatio, Is.EqualTo(water.ViscosityRatio));
-            Assert.That(profile.StandardViscosityShare, Is.EqualTo(water.StandardViscosityShare));
             Assert.That(profile.TimeStepFraction, Is.EqualTo(water.TimeStepFraction));
             Assert.That(profile.WallDistanceRatio, Is.EqualTo(water.WallDistanceRatio));
             Assert.That(profile.WallStiffnessRatio, Is.EqualTo(water.WallStiffnessRatio));

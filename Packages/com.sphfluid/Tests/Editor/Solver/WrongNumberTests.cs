@@ -27,8 +27,7 @@ namespace SphFluid.Tests
 
         private static readonly string[] OtherInput =
         {
-            "LiquidHeight", "LiquidDepth", "InitialSpeed", "KinematicViscosity", "ViscosityRatio", "StandardViscosityShare",
-            "WallStiffnessRatio", "WallDampingRatio",
+            "LiquidHeight", "LiquidDepth", "InitialSpeed", "KinematicViscosity", "ViscosityRatio", "WallStiffnessRatio", "WallDampingRatio",
         };
 
         [Test]
