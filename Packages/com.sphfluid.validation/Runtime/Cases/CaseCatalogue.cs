@@ -23,6 +23,7 @@ namespace SphFluid.Validation
             new WallImpactCase(),
             new CapillaryDropCase(),
             new FreeFallCase(),
+            new DriftCase(),
             new MomentumCase(),
             new EnergyCase(),
             new SloshingCase(),
