@@ -23,7 +23,6 @@ namespace SphFluid.Validation
             new WallImpactCase(),
             new CapillaryDropCase(),
             new FreeFallCase(),
-            new DriftCase(),
             new MomentumCase(),
             new EnergyCase(),
             new SloshingCase(),

@@ -30,15 +30,6 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void WhatDriftsKeepsItsShape()
-        {
-            CaseResult result = Run(new DriftCase(), CaseStates.Thesis, 6);
-
-            Assert.That(result.Failure, Is.Null);
-            Assert.That(result.Errors[0].Value, Is.LessThan(new DriftCase().Limit));
-        }
-
-        [Test]
         public void ThePrintedDensityContractsWhatFalls()
         {
             CaseResult result = Run(new FreeFallCase(), CaseStates.Printed, 6);
