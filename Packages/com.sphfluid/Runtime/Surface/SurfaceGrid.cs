@@ -129,7 +129,8 @@ namespace SphFluid
         internal static Vector3Int CornerOffset(int corner) =>
             new Vector3Int((corner + 1) >> 1 & 1, corner >> 1 & 1, corner >> 2);
 
-        private static Vector3 Domain(Vector3 domainSize) => IsBox(domainSize) ? domainSize
+        /// <summary>The edges of a domain, checked.</summary>
+        internal static Vector3 Domain(Vector3 domainSize) => IsBox(domainSize) ? domainSize
             : throw new ArgumentOutOfRangeException(nameof(domainSize),
                 $"A surface grid needs a domain with edges greater than zero, not {domainSize} m.");
 

@@ -10,6 +10,7 @@ namespace SphFluid.Tests
         protected override (string call, string reason)[] Exempt => new[]
         {
             (@"^ThesisRules\.", "is checked where a liquid takes the settings"),
+            (@"\.WithSoundSpeed", "is checked where a liquid takes the settings"),
         };
     }
 }

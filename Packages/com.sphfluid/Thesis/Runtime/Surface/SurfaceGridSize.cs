@@ -44,6 +44,6 @@ namespace SphFluid
         /// <returns>A grid whose outermost vertices lie on the domain's walls.</returns>
         /// <exception cref="System.ArgumentOutOfRangeException">An edge is not a positive number.</exception>
         public static SurfaceGrid OverDomain(this SurfaceGridSize size, Vector3 domainSize) =>
-            new SurfaceGrid(-0.5f * domainSize, domainSize, size.Cells());
+            new SurfaceGrid(-0.5f * SurfaceGrid.Domain(domainSize), domainSize, size.Cells());
     }
 }
