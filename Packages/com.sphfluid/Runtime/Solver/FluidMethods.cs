@@ -31,39 +31,27 @@ namespace SphFluid
         public static bool Has(FluidMethodKind kind, FluidMethodFeatures feature) => Find(kind)?.Has(feature) ?? false;
 
         /// <summary>The shaders of all methods, each group once.</summary>
-        public static IReadOnlyList<ShaderGroup> ShaderGroups
-        {
-            get
-            {
-                var groups = new List<ShaderGroup>();
-                foreach (FluidMethod method in Methods)
-                {
-                    if (!groups.Contains(method.Shaders)) groups.Add(method.Shaders);
-                }
-
-                return groups;
-            }
-        }
+        public static IReadOnlyList<ShaderGroup> ShaderGroups => EachOnce(method => method.Shaders);
 
         /// <summary>Surfaces that methods bring along, each group once.</summary>
-        public static IReadOnlyList<ShaderGroup> SurfaceGroups
-        {
-            get
-            {
-                var groups = new List<ShaderGroup>();
-                foreach (FluidMethod method in Methods)
-                {
-                    if (method.OwnSurface != null && !groups.Contains(method.OwnSurface)) groups.Add(method.OwnSurface);
-                }
-
-                return groups;
-            }
-        }
+        public static IReadOnlyList<ShaderGroup> SurfaceGroups => EachOnce(method => method.OwnSurface);
 
         /// <summary>A method.</summary>
         /// <exception cref="ArgumentException">There is none of that number.</exception>
         public static FluidMethod Get(FluidMethodKind kind) => Find(kind) ??
             throw new ArgumentException($"There is no fluid method {kind}.", nameof(kind));
+
+        private static List<ShaderGroup> EachOnce(Func<FluidMethod, ShaderGroup> groupOf)
+        {
+            var groups = new List<ShaderGroup>();
+            foreach (FluidMethod method in Methods)
+            {
+                ShaderGroup group = groupOf(method);
+                if (group != null && !groups.Contains(group)) groups.Add(group);
+            }
+
+            return groups;
+        }
 
         private static FluidMethod Find(FluidMethodKind kind)
         {
