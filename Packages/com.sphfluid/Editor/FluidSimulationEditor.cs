@@ -70,7 +70,7 @@ namespace SphFluid.Editor
         // What the inspector has measured is what it knows of such a liquid before the next play.
         private void EndTiming()
         {
-            if (timed.IsRunning && timed.Timer.FrameCount >= StepTimer.Window)
+            if (timed.IsRunning && timed.Timer?.FrameCount >= StepTimer.Window)
             {
                 StepCostWatch.Record(timed.Timer, timed.Solver, timed.Obstacles.Count > 0);
             }

@@ -1,5 +1,6 @@
 using System;
 using System.IO;
+using System.Text;
 using UnityEngine;
 
 namespace SphFluid
@@ -65,7 +66,9 @@ namespace SphFluid
 
         private static StepCostTable Table => table ??= Unpack(Read());
 
-        private static string Path => System.IO.Path.Combine(Application.temporaryCachePath, "SPH Fluid step costs.txt");
+        // A file for each device, whose name may hold what a file's must not.
+        private static string Path => System.IO.Path.Combine(Application.temporaryCachePath,
+            $"SPH Fluid step costs {Crc32.Compute(Encoding.UTF8.GetBytes(SystemInfo.graphicsDeviceName)):x8}.txt");
 
         private static string Head => $"{FluidPackage.Version}|{SystemInfo.graphicsDeviceName}|{SystemInfo.graphicsDeviceVersion}";
 
