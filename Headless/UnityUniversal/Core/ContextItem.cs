@@ -1,0 +1,6 @@
+namespace UnityEngine.Rendering;
+
+public abstract class ContextItem
+{
+    public abstract void Reset();
+}

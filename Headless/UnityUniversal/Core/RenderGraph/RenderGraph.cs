@@ -1,0 +1,5 @@
+namespace UnityEngine.Rendering.RenderGraphModule;
+
+public class RenderGraph
+{
+}

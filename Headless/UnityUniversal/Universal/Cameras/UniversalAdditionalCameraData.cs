@@ -1,0 +1,6 @@
+namespace UnityEngine.Rendering.Universal;
+
+public class UniversalAdditionalCameraData : MonoBehaviour
+{
+    public ScriptableRenderer? scriptableRenderer => null;
+}

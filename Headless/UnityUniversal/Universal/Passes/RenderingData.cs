@@ -1,0 +1,5 @@
+namespace UnityEngine.Rendering.Universal;
+
+public struct RenderingData
+{
+}
