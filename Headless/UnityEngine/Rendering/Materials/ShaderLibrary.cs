@@ -11,7 +11,6 @@ namespace Headless.Engine;
 /// <summary>Shaders by name: those that were imported and the built-in ones, which are parsed when first asked for.</summary>
 internal static class ShaderLibrary
 {
-    private const string Prefix = "BuiltinShaders.";
     private static readonly Dictionary<string, Shader> Shaders = new(StringComparer.Ordinal);
 
     // Shader names of the embedded files; several names may share one stand-in.
@@ -32,12 +31,16 @@ internal static class ShaderLibrary
         ["Legacy Shaders/VertexLit"] = "Diffuse.shader",
     };
 
+    private static readonly Dictionary<string, Assembly> Brought = new(StringComparer.Ordinal);
     private static readonly Dictionary<string, Shader> BuiltinFiles = new(StringComparer.Ordinal);
 
     public static IReadOnlyCollection<Shader> All => Shaders.Values;
 
     /// <summary>Asked for a name that is not loaded yet; the importer looks in the project.</summary>
     public static Func<string, Shader?>? Resolver { get; set; }
+
+    /// <summary>A shader that an assembly of Unity's packages holds as a resource.</summary>
+    public static void AddBuiltin(Assembly assembly, string name, string file) => (Builtin[name], Brought[file]) = (file, assembly);
 
     public static void Add(Shader shader) => Shaders[shader.name] = shader;
 
@@ -70,8 +73,8 @@ internal static class ShaderLibrary
 
         if (!BuiltinFiles.TryGetValue(file, out Shader? shader) || shader == null)
         {
-            Assembly assembly = typeof(ShaderLibrary).Assembly;
-            string resource = assembly.GetManifestResourceNames().Single(n => n.EndsWith(Prefix + file, StringComparison.Ordinal));
+            Assembly assembly = Brought.GetValueOrDefault(file, typeof(ShaderLibrary).Assembly);
+            string resource = assembly.GetManifestResourceNames().Single(n => n.EndsWith("." + file, StringComparison.Ordinal));
             using var reader = new StreamReader(assembly.GetManifestResourceStream(resource)!);
             ShaderLabSource source = ShaderLabSource.ParseText(file, reader.ReadToEnd(), GraphicsDevice.Compiler.Includes);
             shader = new Shader(source) { hideFlags = HideFlags.NotEditable };

@@ -1,0 +1,6 @@
+namespace UnityEngine.Rendering.RenderGraphModule;
+
+public interface IRenderGraphRecorder
+{
+    void RecordRenderGraph(RenderGraph renderGraph, ContextContainer frameData);
+}

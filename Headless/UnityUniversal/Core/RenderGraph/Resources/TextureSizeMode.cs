@@ -1,0 +1,8 @@
+namespace UnityEngine.Rendering.RenderGraphModule;
+
+public enum TextureSizeMode
+{
+    Explicit,
+    Scale,
+    Functor,
+}

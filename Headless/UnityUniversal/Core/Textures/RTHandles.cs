@@ -1,0 +1,31 @@
+namespace UnityEngine.Rendering;
+
+public static class RTHandles
+{
+    public static RTHandle Alloc(Texture tex) => new(tex as RenderTexture, tex is RenderTexture ? null : tex, new RenderTargetIdentifier(tex), tex.name, false);
+
+    public static RTHandle Alloc(RenderTexture tex, bool transferOwnership = false) => new(tex, null, new RenderTargetIdentifier(tex), tex.name, transferOwnership);
+
+    public static RTHandle Alloc(RenderTargetIdentifier tex) => Alloc(tex, string.Empty);
+
+    public static RTHandle Alloc(RenderTargetIdentifier tex, string name) => new(null, null, tex, name, false);
+
+    public static RTHandle Alloc(
+        in RenderTextureDescriptor descriptor, FilterMode filterMode = FilterMode.Point, TextureWrapMode wrapMode = TextureWrapMode.Repeat,
+        bool isShadowMap = false, int anisoLevel = 1, float mipMapBias = 0f, string name = "")
+    {
+        var texture = new RenderTexture(descriptor) { name = name, filterMode = filterMode, wrapMode = wrapMode, hideFlags = HideFlags.HideAndDontSave };
+        return Alloc(texture, true);
+    }
+
+    public static void Release(RTHandle rth) => rth?.Release();
+
+    /// <summary>The size that scaled handles go by; none here is scaled.</summary>
+    public static void SetReferenceSize(int width, int height)
+    {
+    }
+
+    public static void Initialize(int width, int height)
+    {
+    }
+}

@@ -1,0 +1,8 @@
+namespace UnityEngine.Rendering.Universal;
+
+public enum AntialiasingQuality
+{
+    Low,
+    Medium,
+    High,
+}

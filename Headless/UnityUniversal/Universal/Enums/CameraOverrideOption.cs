@@ -1,0 +1,8 @@
+namespace UnityEngine.Rendering.Universal;
+
+public enum CameraOverrideOption
+{
+    Off,
+    On,
+    UsePipelineSettings,
+}

@@ -1,0 +1,7 @@
+namespace UnityEngine.Rendering.Universal;
+
+public enum IntermediateTextureMode
+{
+    Auto,
+    Always,
+}

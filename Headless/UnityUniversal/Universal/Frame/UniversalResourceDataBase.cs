@@ -1,0 +1,5 @@
+namespace UnityEngine.Rendering.Universal;
+
+public abstract class UniversalResourceDataBase : ContextItem
+{
+}

@@ -1,5 +1,0 @@
-namespace UnityEngine.Rendering.Universal;
-
-public struct RenderingData
-{
-}
