@@ -1,7 +1,7 @@
 namespace Unity.Collections;
 
 /// <summary>Shared by all copies of a native container, so that each notices Dispose.</summary>
-sealed class NativeMemoryHandle
+class NativeMemoryHandle
 {
     public bool IsReleased { get; private set; }
 

@@ -1,3 +1,4 @@
+using System;
 using System.Linq;
 using Headless.Engine;
 
@@ -25,22 +26,46 @@ public partial class CommandBuffer
             TargetState.Discard(colorLoadAction == RenderBufferLoadAction.DontCare, depthLoadAction == RenderBufferLoadAction.DontCare);
         });
 
-    public void SetRenderTarget(RenderTargetIdentifier color, RenderTargetIdentifier depth) => Add(c =>
-    {
-        DrawTarget? colors = c.Target(color);
-        DrawTarget? depths = c.Target(depth);
-        SwitchTo(colors is null ? null : Combine([colors], depths));
-    });
+    public void SetRenderTarget(RenderTargetIdentifier color, RenderTargetIdentifier depth) => SetRenderTarget([color], depth);
+
+    public void SetRenderTarget(RenderTargetIdentifier color, RenderTargetIdentifier depth, int mipLevel) =>
+        SetRenderTarget(color, depth, mipLevel, CubemapFace.Unknown, 0);
+
+    public void SetRenderTarget(RenderTargetIdentifier color, RenderTargetIdentifier depth, int mipLevel, CubemapFace cubemapFace) =>
+        SetRenderTarget(color, depth, mipLevel, cubemapFace, 0);
+
+    public void SetRenderTarget(RenderTargetIdentifier color, RenderTargetIdentifier depth, int mipLevel, CubemapFace cubemapFace, int depthSlice) =>
+        SetRenderTarget([color], depth, mipLevel, cubemapFace, depthSlice);
 
     public void SetRenderTarget(RenderTargetIdentifier[] colors, RenderTargetIdentifier depth)
     {
         RenderTargetIdentifier[] copy = [.. colors];
-        Add(c =>
-        {
-            DrawTarget[] targets = [.. copy.Select(id => c.Target(id)).OfType<DrawTarget>()];
-            SwitchTo(targets.Length == 0 ? null : Combine(targets, c.Target(depth)));
-        });
+        Add(c => SwitchTo(c.Target(copy, depth)));
     }
+
+    public void SetRenderTarget(RenderTargetIdentifier[] colors, RenderTargetIdentifier depth, int mipLevel, CubemapFace cubemapFace, int depthSlice) =>
+        SetRenderTarget(
+            Array.ConvertAll(colors, c => new RenderTargetIdentifier(c, mipLevel, cubemapFace, depthSlice)),
+            new RenderTargetIdentifier(depth, mipLevel, cubemapFace, depthSlice));
+
+    public void SetRenderTarget(
+        RenderTargetIdentifier color, RenderBufferLoadAction colorLoadAction, RenderBufferStoreAction colorStoreAction,
+        RenderTargetIdentifier depth, RenderBufferLoadAction depthLoadAction, RenderBufferStoreAction depthStoreAction) =>
+        SetRenderTarget(new RenderTargetBinding(color, colorLoadAction, colorStoreAction, depth, depthLoadAction, depthStoreAction));
+
+    public void SetRenderTarget(RenderTargetBinding binding)
+    {
+        SetRenderTarget(binding.colorRenderTargets, binding.depthRenderTarget);
+        bool colors = Array.TrueForAll(binding.colorLoadActions, a => a == RenderBufferLoadAction.DontCare);
+        bool depths = binding.depthLoadAction == RenderBufferLoadAction.DontCare;
+        Add(_ => TargetState.Discard(colors, depths));
+    }
+
+    public void SetRenderTarget(RenderTargetBinding binding, int mipLevel, CubemapFace cubemapFace, int depthSlice) => SetRenderTarget(binding with
+    {
+        colorRenderTargets = Array.ConvertAll(binding.colorRenderTargets, c => new RenderTargetIdentifier(c, mipLevel, cubemapFace, depthSlice)),
+        depthRenderTarget = new RenderTargetIdentifier(binding.depthRenderTarget, mipLevel, cubemapFace, depthSlice),
+    });
 
     public void ClearRenderTarget(bool clearDepth, bool clearColor, Color backgroundColor) =>
         ClearRenderTarget(clearDepth, clearColor, backgroundColor, 1f);
@@ -112,14 +137,4 @@ public partial class CommandBuffer
             ViewState.Apply();
         }
     }
-
-    private static DrawTarget Combine(DrawTarget[] colors, DrawTarget? depth) => new()
-    {
-        Colors = [.. colors.SelectMany(t => t.Colors)],
-        Resolves = [.. colors.SelectMany(t => t.Resolves)],
-        Depth = depth?.Depth,
-        MipLevel = colors[0].MipLevel,
-        Slice = colors[0].Slice,
-        Flipped = colors[0].Flipped,
-    };
 }

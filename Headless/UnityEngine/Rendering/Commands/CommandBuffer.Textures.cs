@@ -33,6 +33,9 @@ public partial class CommandBuffer
 
     public void CopyTexture(RenderTargetIdentifier src, RenderTargetIdentifier dst) => Add(c => TextureCopies.Copy(c.Texture(src), c.Texture(dst)));
 
+    public void CopyTexture(RenderTargetIdentifier src, int srcElement, RenderTargetIdentifier dst, int dstElement) =>
+        CopyTexture(src, srcElement, 0, dst, dstElement, 0);
+
     public void CopyTexture(RenderTargetIdentifier src, int srcElement, int srcMip, RenderTargetIdentifier dst, int dstElement, int dstMip) =>
         Add(c => TextureCopies.Copy(c.Texture(src), srcElement, srcMip, c.Texture(dst), dstElement, dstMip));
 
@@ -40,6 +43,13 @@ public partial class CommandBuffer
     {
         Require(rt);
         Add(_ => rt.GenerateMips());
+    }
+
+    public void GenerateMips(RenderTargetIdentifier rt) => Add(c => (c.Texture(rt) as RenderTexture)?.GenerateMips());
+
+    /// <summary>Without effect: a depth texture is read as it is, or compared, by the sampler that the shader declares for it.</summary>
+    public void SetShadowSamplingMode(RenderTargetIdentifier shadowmap, ShadowSamplingMode mode)
+    {
     }
 
     public void ResolveAntiAliasedSurface(RenderTexture rt, RenderTexture? target = null)

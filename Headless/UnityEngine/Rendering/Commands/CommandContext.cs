@@ -13,11 +13,28 @@ internal sealed class CommandContext(DrawTarget? cameraTarget, NamedTemporaries 
 
     public NamedTemporaries Temporaries => temporaries;
 
+    /// <summary>Of the camera that draws; null for the screen.</summary>
+    public DrawTarget? CameraTarget { get; set; } = cameraTarget;
+
+    /// <summary>In a scriptable pipeline the one that was set up last.</summary>
+    public Camera? Camera { get; set; }
+
     public DrawTarget? Target(in RenderTargetIdentifier id)
     {
         if (id.Builtin is BuiltinRenderTextureType.CameraTarget)
         {
-            return cameraTarget ?? DrawTarget.Screen;
+            return CameraTarget ?? DrawTarget.Screen;
+        }
+
+        if (id.Builtin is BuiltinRenderTextureType.Depth)
+        {
+            DrawTarget whole = CameraTarget ?? DrawTarget.Screen;
+            return new DrawTarget { Depth = whole.Depth, Flipped = whole.Flipped };
+        }
+
+        if (id.Builtin is BuiltinRenderTextureType.None)
+        {
+            return null;
         }
 
         if (id.Builtin is BuiltinRenderTextureType.CurrentActive)
@@ -34,10 +51,34 @@ internal sealed class CommandContext(DrawTarget? cameraTarget, NamedTemporaries 
         return null;
     }
 
+    /// <summary>Several colors, and a depth of its own; null where there are neither.</summary>
+    public DrawTarget? Target(RenderTargetIdentifier[] colors, RenderTargetIdentifier depth)
+    {
+        DrawTarget[] targets = [.. colors.Select(id => Target(id)).OfType<DrawTarget>()];
+        DrawTarget? depths = Target(depth);
+        return targets.Length == 0 ? depths : new DrawTarget
+        {
+            Colors = [.. targets.SelectMany(t => t.Colors)],
+            Resolves = [.. targets.SelectMany(t => t.Resolves)],
+            Depth = depths?.Depth,
+            MipLevel = targets[0].MipLevel,
+            Slice = targets[0].Slice,
+            Flipped = targets[0].Flipped,
+        };
+    }
+
     public Texture? Texture(in RenderTargetIdentifier id) => id.Texture
         ?? (id.Builtin == BuiltinRenderTextureType.PropertyName
             ? temporaries.Find(id.NameId) ?? GlobalProperties.Sheet.Textures.GetValueOrDefault(id.NameId).Texture
             : null);
+
+    public void SendRenderObject()
+    {
+        Camera? before = UnityEngine.Camera.current;
+        UnityEngine.Camera.current = Camera;
+        CameraMessages.SendToAll("OnRenderObject");
+        UnityEngine.Camera.current = before;
+    }
 
     public void BeginSample(string name) => samples.Push((name, GraphicsDevice.Recorder.BeginTimer(name)));
 

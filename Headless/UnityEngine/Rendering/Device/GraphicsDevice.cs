@@ -3,6 +3,7 @@ using System;
 using Headless.Shaders;
 using Headless.Vulkan;
 using UnityEngine;
+using UnityEngine.Rendering;
 
 namespace Headless.Engine;
 
@@ -48,6 +49,7 @@ internal static class GraphicsDevice
             return;
         }
 
+        RenderPipelineManager.Reset();
         EngineHooks.RenderFrame = null;
         EngineHooks.EndFrame = null;
         EngineHooks.FillPrimitive = null;

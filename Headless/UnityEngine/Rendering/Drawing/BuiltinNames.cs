@@ -20,6 +20,7 @@ internal static class BuiltinNames
     public static readonly int ScreenParams = ShaderNames.Id("_ScreenParams");
     public static readonly int ZBufferParams = ShaderNames.Id("_ZBufferParams");
     public static readonly int OrthoParams = ShaderNames.Id("unity_OrthoParams");
+    public static readonly int CameraWorldClipPlanes = ShaderNames.Id("unity_CameraWorldClipPlanes");
     public static readonly int Time = ShaderNames.Id("_Time");
     public static readonly int SinTime = ShaderNames.Id("_SinTime");
     public static readonly int CosTime = ShaderNames.Id("_CosTime");
@@ -44,6 +45,9 @@ internal static class BuiltinNames
     public static readonly int Ambient = ShaderNames.Id("glstate_lightmodel_ambient");
     public static readonly int FogColor = ShaderNames.Id("unity_FogColor");
     public static readonly int FogParams = ShaderNames.Id("unity_FogParams");
+    public static readonly int LightData = ShaderNames.Id("unity_LightData");
+    public static readonly int LightIndices = ShaderNames.Id("unity_LightIndices");
+    public static readonly int RenderingLayer = ShaderNames.Id("unity_RenderingLayer");
     public static readonly int MainTex = ShaderNames.Id("_MainTex");
     public static readonly int CameraDepthTexture = ShaderNames.Id("_CameraDepthTexture");
 }

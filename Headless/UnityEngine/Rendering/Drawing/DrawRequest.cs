@@ -19,11 +19,18 @@ internal sealed class DrawRequest
     public ShadowCastingMode Shadows { get; init; } = ShadowCastingMode.On;
     public bool ReceiveShadows { get; init; } = true;
     public ReflectionProbeUsage Reflections { get; init; } = ReflectionProbeUsage.BlendProbes;
+    public uint RenderingLayers { get; init; } = 1u;
+    public MotionVectorGenerationMode Motion { get; init; } = MotionVectorGenerationMode.Camera;
+
+    /// <summary>In the sorting layer.</summary>
+    public int SortingOrder { get; init; }
+
+    public int SortingLayer { get; init; }
     public int Priority { get; init; }
 
     public bool CastsShadows => Shadows != ShadowCastingMode.Off;
     public bool IsVisible => Shadows != ShadowCastingMode.ShadowsOnly;
 
-    public bool SeenBy(Camera camera) =>
-        (Camera is null || ReferenceEquals(Camera, camera)) && (camera.cullingMask & (1 << Layer)) != 0;
+    public bool SeenBy(Camera? camera, int cullingMask) =>
+        (Camera is null || ReferenceEquals(Camera, camera)) && (cullingMask & (1 << Layer)) != 0;
 }

@@ -16,6 +16,9 @@ internal static class Drawer
     /// <summary>Triangles count as front-facing with the other winding: GL.invertCulling.</summary>
     public static bool InvertCulling { get; set; }
 
+    /// <summary>Units and slope that are added to every pass's Offset.</summary>
+    public static (float Units, float Slope) DepthBias { get; set; }
+
     public static void Draw(Material material, int passIndex, PropertySheet? block, DrawGeometry geometry, in Matrix4x4 matrix)
     {
         if (material == null || TargetState.Current is null || !geometry.Prepare())
@@ -41,7 +44,14 @@ internal static class Drawer
         }
     }
 
-    public static void DrawPass(Material material, PassProgram pass, PropertySheet? block, DrawGeometry geometry, in Matrix4x4 matrix)
+    public static void DrawPass(Material material, PassProgram pass, PropertySheet? block, DrawGeometry geometry, in Matrix4x4 matrix) =>
+        DrawPass(material, material.shader.Programs, pass, block, geometry, matrix, null);
+
+    /// <param name="programs">Whose defaults stand for properties that the material does not set.</param>
+    /// <param name="overrides">Takes the place of the pass's own state.</param>
+    public static void DrawPass(
+        Material material, ShaderProgramSet programs, PassProgram pass, PropertySheet? block, DrawGeometry geometry, in Matrix4x4 matrix,
+        in UnityEngine.Rendering.RenderStateBlock? overrides)
     {
         PassVariant? variant = pass.Variant(material.Keywords.Set);
         if (variant is null)
@@ -56,7 +66,7 @@ internal static class Drawer
         }
 
         SetObject(matrix);
-        var chain = new PropertyChain(block, material, PerDraw);
+        var chain = new PropertyChain(block, material, programs, PerDraw);
         ResourceBindings bindings = variant.Bindings;
         foreach (BindingTable table in variant.Tables)
         {
@@ -67,7 +77,8 @@ internal static class Drawer
             }
         }
 
-        GpuRenderPipeline pipeline = Pipeline(variant, pass, PassState.Of(pass.Source.State, chain), geometry, matrix);
+        PassState state = PassState.Of(pass.Source.State, chain).With(overrides).Offset(DepthBias);
+        GpuRenderPipeline pipeline = Pipeline(variant, pass, state, geometry, matrix);
         VertexBinding.Prepare();
         TargetState.Begin();
         VertexBinding.SetBuffers(GraphicsDevice.Recorder, variant, geometry.Mesh);

@@ -106,6 +106,8 @@ public partial class Graphics
             Shadows = rparams.shadowCastingMode,
             ReceiveShadows = rparams.receiveShadows,
             Reflections = rparams.reflectionProbeUsage,
+            RenderingLayers = rparams.renderingLayerMask,
+            Motion = rparams.motionVectorMode,
             Priority = rparams.rendererPriority,
         });
     }

@@ -1,5 +1,6 @@
 using Headless.Shaders;
 using Headless.Vulkan;
+using UnityEngine.Rendering;
 
 namespace Headless.Engine;
 
@@ -25,6 +26,35 @@ internal readonly record struct PassState(
         Number(state.BlendOpColor, chain),
         Number(state.BlendOpAlpha, chain));
 
+    /// <summary>What a renderer list sets in the pass's place.</summary>
+    public PassState With(in RenderStateBlock? overrides)
+    {
+        if (overrides is not { } block)
+        {
+            return this;
+        }
+
+        PassState state = this;
+        if ((block.mask & RenderStateMask.Raster) != 0)
+        {
+            RasterState raster = block.rasterState;
+            state = state with
+            {
+                Cull = (int)raster.cullingMode, ZClip = raster.depthClip, OffsetFactor = raster.offsetFactor, OffsetUnits = raster.offsetUnits,
+            };
+        }
+
+        if ((block.mask & RenderStateMask.Depth) != 0)
+        {
+            state = state with { ZWrite = block.depthState.writeEnabled, ZTest = (int)block.depthState.compareFunction };
+        }
+
+        return (block.mask & RenderStateMask.Blend) != 0 ? state.With(block.blendState) : state;
+    }
+
+    public PassState Offset((float Units, float Slope) bias) =>
+        this with { OffsetUnits = OffsetUnits + bias.Units, OffsetFactor = OffsetFactor + bias.Slope };
+
     /// <summary>Depth is reversed on this device: near is 1, so every comparison turns round.</summary>
     public GpuCompare DepthCompare => ZTest switch
     {
@@ -38,7 +68,7 @@ internal readonly record struct PassState(
         _ => GpuCompare.Always,
     };
 
-    public BlendState ToBlendState() => new()
+    public Headless.Vulkan.BlendState ToBlendState() => new()
     {
         SourceColor = Blend ? (GpuBlend)SourceColor : GpuBlend.One,
         TargetColor = Blend ? (GpuBlend)DestinationColor : GpuBlend.Zero,
@@ -48,6 +78,24 @@ internal readonly record struct PassState(
         AlphaOperation = Blend ? (GpuBlendOperation)OpAlpha : GpuBlendOperation.Add,
         WriteMask = WriteMask(),
     };
+
+    // Blending by One and Zero is none.
+    private PassState With(in UnityEngine.Rendering.BlendState blending)
+    {
+        RenderTargetBlendState first = blending.blendState0;
+        return this with
+        {
+            Blend = true,
+            AlphaToMask = blending.alphaToMask,
+            ColorMask = (int)first.writeMask,
+            SourceColor = (int)first.sourceColorBlendMode,
+            DestinationColor = (int)first.destinationColorBlendMode,
+            SourceAlpha = (int)first.sourceAlphaBlendMode,
+            DestinationAlpha = (int)first.destinationAlphaBlendMode,
+            OpColor = (int)first.colorBlendOperation,
+            OpAlpha = (int)first.alphaBlendOperation,
+        };
+    }
 
     // ShaderLab counts the channels from alpha up, the device from red.
     private GpuColorMask WriteMask()

@@ -5,10 +5,8 @@ using UnityEngine;
 namespace Headless.Engine;
 
 /// <summary>Looks properties up as a draw sees them: block, material, shader defaults, per-draw values, globals.</summary>
-internal readonly ref struct PropertyChain(PropertySheet? block, Material material, PropertySheet perDraw)
+internal readonly ref struct PropertyChain(PropertySheet? block, Material material, ShaderProgramSet programs, PropertySheet perDraw)
 {
-    private readonly ShaderProgramSet programs = material.shader.Programs;
-
     public ShaderValue? Value(int id)
     {
         if (block is not null && block.Values.TryGetValue(id, out ShaderValue? value))

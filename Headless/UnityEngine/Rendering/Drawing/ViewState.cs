@@ -8,6 +8,12 @@ internal static class ViewState
     public static Matrix4x4 View { get; private set; } = Matrix4x4.identity;
     public static Matrix4x4 Projection { get; private set; } = Matrix4x4.identity;
 
+    /// <summary>
+    /// The camera's own variables and _ScreenParams are those of the target and the matrices that are set, as in Built-in; in a scriptable
+    /// pipeline they are its cameras'.
+    /// </summary>
+    public static bool FollowsTarget { get; set; } = true;
+
     /// <summary>Unity's projection (z from -1 to 1) turned into the device's: z from 1 (near) to 0, upside down for textures.</summary>
     public static Matrix4x4 Gpu(Matrix4x4 projection, bool flipped)
     {
@@ -36,6 +42,20 @@ internal static class ViewState
         sheet.SetMatrix(BuiltinNames.MatrixInvV, View.inverse);
         sheet.SetMatrix(BuiltinNames.Projection, gpu);
         sheet.SetMatrix(BuiltinNames.MatrixVP, gpu * View);
+        Vector4 parameters = sheet.GetVector(BuiltinNames.ProjectionParams);
+        parameters.x = flipped ? -1f : 1f;
+        sheet.SetVector(BuiltinNames.ProjectionParams, parameters);
+
+        if (FollowsTarget)
+        {
+            ApplyCamera();
+        }
+    }
+
+    /// <summary>Writes what describes the camera, whatever is drawn.</summary>
+    public static void ApplyCamera()
+    {
+        PropertySheet sheet = GlobalProperties.Sheet;
         sheet.SetMatrix(BuiltinNames.CameraProjection, Projection);
         sheet.SetMatrix(BuiltinNames.CameraInvProjection, Projection.inverse);
 
@@ -43,16 +63,15 @@ internal static class ViewState
         Matrix4x4 worldToCamera = Matrix4x4.Scale(new Vector3(1f, 1f, -1f)) * View;
         sheet.SetMatrix(BuiltinNames.WorldToCamera, worldToCamera);
         sheet.SetMatrix(BuiltinNames.CameraToWorld, worldToCamera.inverse);
-        Vector4 parameters = sheet.GetVector(BuiltinNames.ProjectionParams);
-        parameters.x = flipped ? -1f : 1f;
-        sheet.SetVector(BuiltinNames.ProjectionParams, parameters);
+
         if (TargetState.Current is { } target)
         {
-            sheet.SetVector(
-                BuiltinNames.ScreenParams,
-                new Vector4(target.Width, target.Height, 1f + (1f / target.Width), 1f + (1f / target.Height)));
+            SetScreen(target.Width, target.Height);
         }
     }
+
+    public static void SetScreen(float width, float height) =>
+        GlobalProperties.Sheet.SetVector(BuiltinNames.ScreenParams, new Vector4(width, height, 1f + (1f / width), 1f + (1f / height)));
 
     /// <summary>Depth ranges as UnityCG's LinearEyeDepth and Linear01Depth expect them with reversed depth.</summary>
     public static void SetDepthRange(float near, float far)

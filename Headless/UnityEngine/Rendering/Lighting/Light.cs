@@ -28,8 +28,12 @@ public sealed partial class Light : Behaviour
     public Texture? cookie { get; set; }
     public float cookieSize { get; set; } = 10f;
 
-    /// <summary>As shaders see it. Built-in multiplies before it converts to linear.</summary>
-    internal Color FinalColor => (color * intensity).linear;
+    /// <summary>As shaders see it. Without linear intensity the color is multiplied before it becomes linear, as Built-in does.</summary>
+    internal Color FinalColor => GraphicsSettings.lightsUseLinearIntensity ? color.linear * intensity * Temperature : (color * intensity).linear;
+
+    private Color Temperature => GraphicsSettings.lightsUseColorTemperature && useColorTemperature
+        ? Mathf.CorrelatedColorTemperatureToRGB(colorTemperature)
+        : Color.white;
 
     internal override void OnAdded() => LightList.Add(this);
 

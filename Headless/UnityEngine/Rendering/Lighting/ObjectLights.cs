@@ -27,7 +27,7 @@ internal sealed class ObjectLights
     /// <param name="hasAdditivePass">Whether the shader draws further lights.</param>
     public static ObjectLights Of(DrawRequest draw, bool hasAdditivePass)
     {
-        List<Light> lit = [.. LightList.All.Where(l => LightList.IsDrawn(l) && (l.cullingMask & (1 << draw.Layer)) != 0 && Reaches(l, draw.Bounds))];
+        List<Light> lit = [.. LightList.All.Where(l => LightList.IsDrawn(l) && Reaches(l, draw))];
         Light? main = LightList.Main is { } sun && lit.Contains(sun)
             ? sun
             : lit.Where(LightList.CanBeMain).MaxBy(l => Brightness(l, draw.Bounds));
@@ -50,7 +50,10 @@ internal sealed class ObjectLights
         };
     }
 
-    private static float Brightness(Light light, in Bounds bounds)
+    /// <summary>By its range, its cone and its culling mask.</summary>
+    public static bool Reaches(Light light, DrawRequest draw) => (light.cullingMask & (1 << draw.Layer)) != 0 && Reaches(light, draw.Bounds);
+
+    public static float Brightness(Light light, in Bounds bounds)
     {
         float color = light.intensity * light.color.maxColorComponent;
         return light.type == LightType.Directional

@@ -2,6 +2,8 @@ namespace UnityEngine;
 
 public sealed class QualitySettings : Object
 {
+    private static Rendering.RenderPipelineAsset? pipelineAsset;
+
     private QualitySettings()
     {
     }
@@ -21,7 +23,14 @@ public sealed class QualitySettings : Object
     public static int maxQueuedFrames { get; set; } = 2;
     public static bool softParticles { get; set; }
     public static bool realtimeReflectionProbes { get; set; } = true;
-    public static Rendering.RenderPipelineAsset? renderPipeline { get; set; }
+
+    /// <summary>Takes the place of GraphicsSettings.defaultRenderPipeline; null for that one.</summary>
+    public static Rendering.RenderPipelineAsset? renderPipeline
+    {
+        get => pipelineAsset != null ? pipelineAsset : null;
+        set => Rendering.RenderPipelineManager.Change(() => pipelineAsset = value);
+    }
+
     public static string[] names => ["Ultra"];
     public static int count => 1;
 

@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using System.Linq;
 using UnityEngine.Rendering;
 using UnityEngine;
 
@@ -9,6 +10,15 @@ internal static class ReflectionProbeList
 {
     private static readonly List<ReflectionProbe> Probes = [];
 
+    public static IEnumerable<ReflectionProbe> All
+    {
+        get
+        {
+            Probes.RemoveAll(p => p == null);
+            return Probes.Where(SceneTable.IsInWorld);
+        }
+    }
+
     public static void Add(ReflectionProbe probe) => Probes.Add(probe);
 
     public static void Remove(ReflectionProbe probe) => Probes.RemoveAll(p => ReferenceEquals(p, probe));
@@ -16,12 +26,11 @@ internal static class ReflectionProbeList
     /// <summary>The probe for an object: the most important one that touches its box, and of equals the one that shares most of it.</summary>
     public static ReflectionProbe? For(in Bounds bounds)
     {
-        Probes.RemoveAll(p => p == null);
         ReflectionProbe? best = null;
         float bestShare = 0f;
-        foreach (ReflectionProbe probe in Probes)
+        foreach (ReflectionProbe probe in All)
         {
-            if (!SceneTable.IsInWorld(probe) || probe.texture is not { } texture || texture == null || texture.dimension != TextureDimension.Cube || !probe.bounds.Intersects(bounds))
+            if (probe.texture is not { } texture || texture == null || texture.dimension != TextureDimension.Cube || !probe.bounds.Intersects(bounds))
             {
                 continue;
             }

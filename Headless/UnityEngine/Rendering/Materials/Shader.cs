@@ -8,6 +8,8 @@ namespace UnityEngine;
 
 public sealed partial class Shader : Object
 {
+    private static string pipelineTag = string.Empty;
+
     internal Shader(ShaderLabSource source)
     {
         Programs = new ShaderProgramSet(source);
@@ -16,7 +18,14 @@ public sealed partial class Shader : Object
     }
 
     public static int globalMaximumLOD { get; set; } = int.MaxValue;
-    public static string globalRenderPipeline { get; set; } = string.Empty;
+
+    /// <summary>The value of the tag RenderPipeline of SubShaders that are for the active pipeline.</summary>
+    public static string globalRenderPipeline
+    {
+        get => pipelineTag;
+        set => pipelineTag = value ?? string.Empty;
+    }
+
 
     /// <summary>True when a SubShader fits and its first pass compiles.</summary>
     public bool isSupported => Programs.SubShader is not null

@@ -14,7 +14,7 @@ internal sealed class CameraTargets
     {
         DrawTarget final = Final(camera);
         bool wholeTarget = camera.pixelWidth == final.Width && camera.pixelHeight == final.Height;
-        int samples = camera.allowMSAA ? Samples(QualitySettings.antiAliasing) : 1;
+        int samples = Samples(camera);
         CameraFrame frame;
         if (ImageEffects.Of(camera).Count > 0 || !wholeTarget)
         {
@@ -24,19 +24,18 @@ internal sealed class CameraTargets
             });
             frame = new CameraFrame(DrawTarget.Of(intermediate), intermediate);
         }
-        else if (camera.targetTexture != null)
-        {
-            frame = new CameraFrame(final, null);
-        }
         else
         {
-            frame = new CameraFrame(ScreenBuffers(samples), null);
+            frame = new CameraFrame(Of(camera), null);
         }
 
         TargetState.Set(frame.Target);
         Clear(camera);
         return frame;
     }
+
+    /// <summary>The camera's texture, or the screen with its own depth.</summary>
+    public DrawTarget Of(Camera camera) => camera.targetTexture != null ? DrawTarget.Of(camera.targetTexture) : ScreenBuffers(Samples(camera));
 
     /// <summary>Runs image effects, or copies the intermediate picture to where the camera's rectangle lies.</summary>
     public void Finish(Camera camera, CameraFrame frame)
@@ -65,6 +64,8 @@ internal sealed class CameraTargets
 
     private static DrawTarget Final(Camera camera) =>
         camera.targetTexture != null ? DrawTarget.Of(camera.targetTexture) : DrawTarget.Screen;
+
+    private static int Samples(Camera camera) => camera.allowMSAA ? Samples(QualitySettings.antiAliasing) : 1;
 
     private static int Samples(int requested) =>
         SystemInfo.GetRenderTextureSupportedMSAASampleCount(new RenderTextureDescriptor(1, 1) { msaaSamples = requested is 2 or 4 or 8 ? requested : 1 });

@@ -1,4 +1,7 @@
+using System.Collections.Generic;
+using System.Linq;
 using UnityEngine;
+using UnityEngine.Rendering;
 
 namespace Headless.Engine;
 
@@ -18,12 +21,15 @@ internal static class FrameRenderer
         }
 
         ShaderTime.Apply();
-        foreach (Camera camera in CameraList.Ordered)
+        RenderPipeline? pipeline = RenderPipelineManager.Prepared;
+        List<Camera> cameras = [.. CameraList.Ordered.Where(c => c.isActiveAndEnabled && HasPixels(c))];
+        if (pipeline is not null)
         {
-            if (camera.isActiveAndEnabled)
-            {
-                Render(camera);
-            }
+            RenderAll(pipeline, cameras);
+        }
+        else if (GraphicsSettings.currentRenderPipeline is null)
+        {
+            cameras.ForEach(RenderBuiltin);
         }
 
         DrawQueue.Clear();
@@ -31,11 +37,46 @@ internal static class FrameRenderer
 
     public static void Render(Camera camera)
     {
-        if (camera.pixelWidth <= 0 || camera.pixelHeight <= 0)
+        if (!HasPixels(camera))
         {
             return;
         }
 
+        if (RenderPipelineManager.Prepared is { } pipeline)
+        {
+            RenderAll(pipeline, [camera]);
+        }
+        else if (GraphicsSettings.currentRenderPipeline is null)
+        {
+            RenderBuiltin(camera);
+        }
+    }
+
+    public static void Reset()
+    {
+        FinalTarget = null;
+        Forward.Reset();
+        PipelineRunner.Reset();
+        StateOverrides.Reset();
+        DefaultReflection.Reset();
+    }
+
+    private static bool HasPixels(Camera camera) => camera.pixelWidth > 0 && camera.pixelHeight > 0;
+
+    private static void RenderAll(RenderPipeline pipeline, List<Camera> cameras)
+    {
+        if (cameras.Count == 0)
+        {
+            return;
+        }
+
+        int timer = GraphicsDevice.Recorder.BeginTimer("RenderPipeline.Render");
+        pipeline.Render(cameras);
+        GraphicsDevice.Recorder.EndTimer(timer);
+    }
+
+    private static void RenderBuiltin(Camera camera)
+    {
         Camera? before = Camera.current;
         DrawTarget? targetBefore = TargetState.Current;
         Camera.current = camera;
@@ -51,12 +92,5 @@ internal static class FrameRenderer
             Camera.current = before;
             FinalTarget = null;
         }
-    }
-
-    public static void Reset()
-    {
-        FinalTarget = null;
-        Forward.Reset();
-        DefaultReflection.Reset();
     }
 }

@@ -1,12 +1,14 @@
+using System;
 using UnityEngine;
 
 namespace Headless.Engine;
 
-/// <summary>The six planes of a view; normals point inwards.</summary>
+/// <summary>The planes of a view; normals point inwards.</summary>
 internal readonly struct Frustum
 {
     private readonly Vector4[] planes;
 
+    /// <summary>Left, right, bottom, top, near and far.</summary>
     public Frustum(Matrix4x4 viewProjection)
     {
         Vector4 w = viewProjection.GetRow(3);
@@ -16,17 +18,28 @@ internal readonly struct Frustum
             w + viewProjection.GetRow(1), w - viewProjection.GetRow(1),
             w + viewProjection.GetRow(2), w - viewProjection.GetRow(2),
         ];
+        for (int i = 0; i < planes.Length; i++)
+        {
+            planes[i] /= Mathf.Max(1e-20f, ((Vector3)planes[i]).magnitude);
+        }
     }
 
-    public bool Touches(Bounds bounds)
+    public Frustum(ReadOnlySpan<Vector4> planes) => this.planes = planes.ToArray();
+
+    /// <summary>Of length 1, so that w is a distance.</summary>
+    public ReadOnlySpan<Vector4> Planes => planes;
+
+    public bool Touches(Bounds bounds) => Touches(bounds, default);
+
+    /// <summary>Whether a box touches it on its way in a direction.</summary>
+    public bool Touches(in Bounds bounds, Vector3 direction)
     {
         Vector3 c = bounds.center;
         Vector3 e = bounds.extents;
         foreach (Vector4 p in planes)
         {
-            float distance = (p.x * c.x) + (p.y * c.y) + (p.z * c.z) + p.w;
             float reach = (Mathf.Abs(p.x) * e.x) + (Mathf.Abs(p.y) * e.y) + (Mathf.Abs(p.z) * e.z);
-            if (distance + reach < 0f)
+            if (Distance(p, c) + reach < 0f && Vector3.Dot(p, direction) <= 0f)
             {
                 return false;
             }
@@ -34,4 +47,22 @@ internal readonly struct Frustum
 
         return true;
     }
+
+    public bool Touches(Vector3 center, float radius)
+    {
+        foreach (Vector4 p in planes)
+        {
+            if (Distance(p, center) + radius < 0f)
+            {
+                return false;
+            }
+        }
+
+        return true;
+    }
+
+    /// <summary>The part of it before another plane.</summary>
+    public Frustum Before(Vector4 plane) => new([.. planes, plane]);
+
+    private static float Distance(Vector4 p, Vector3 c) => (p.x * c.x) + (p.y * c.y) + (p.z * c.z) + p.w;
 }

@@ -24,14 +24,17 @@ internal static class LightSettings
         ApplyBase(ObjectLights.OfScene);
     }
 
+    /// <summary>What a scriptable pipeline finds set: ambient light, and the sun of the sky.</summary>
+    public static void ApplyScene()
+    {
+        ApplyAmbient();
+        ApplySun(LightList.Main);
+    }
+
     /// <summary>The lights of an object's base pass.</summary>
     public static void ApplyBase(ObjectLights lights)
     {
-        PropertySheet sheet = GlobalProperties.Sheet;
-        Light? main = lights.Main;
-        Vector3 direction = main != null ? -main.transform.forward : Vector3.up;
-        sheet.SetVector(BuiltinNames.LightPosition, new Vector4(direction.x, direction.y, direction.z, 0f));
-        sheet.SetVector(BuiltinNames.LightColor, main != null ? main.FinalColor : Color.clear);
+        ApplySun(lights.Main);
         ApplyVertexLights(lights.Vertex);
         ChooseType(LightType.Directional);
         GlobalKeywords.Set("VERTEXLIGHT_ON", lights.Vertex.Count > 0);
@@ -54,6 +57,14 @@ internal static class LightSettings
         sheet.SetTexture(BuiltinNames.LightTextureB, new TextureSlot(LightTextures.Falloff));
         ChooseType(light.type);
         GlobalKeywords.Set("VERTEXLIGHT_ON", false);
+    }
+
+    private static void ApplySun(Light? main)
+    {
+        PropertySheet sheet = GlobalProperties.Sheet;
+        Vector3 direction = main != null ? -main.transform.forward : Vector3.up;
+        sheet.SetVector(BuiltinNames.LightPosition, new Vector4(direction.x, direction.y, direction.z, 0f));
+        sheet.SetVector(BuiltinNames.LightColor, main != null ? main.FinalColor : Color.clear);
     }
 
     private static void ChooseType(LightType type)

@@ -12,7 +12,7 @@ internal static class SceneDraws
     public static List<DrawRequest> Collect()
     {
         var all = new List<DrawRequest>();
-        foreach (Renderer renderer in RendererList.All)
+        foreach (Renderer renderer in RegisteredRenderers.All)
         {
             if (!renderer.forceRenderingOff && renderer.MeshToDraw is { } mesh)
             {
@@ -42,7 +42,11 @@ internal static class SceneDraws
                 Shadows = renderer.shadowCastingMode,
                 ReceiveShadows = renderer.receiveShadows,
                 Reflections = renderer.reflectionProbeUsage,
-                Priority = renderer.sortingOrder,
+                RenderingLayers = renderer.renderingLayerMask,
+                Motion = renderer.motionVectorGenerationMode,
+                SortingLayer = renderer.sortingLayerID,
+                SortingOrder = renderer.sortingOrder,
+                Priority = renderer.rendererPriority,
             });
         }
     }
@@ -55,7 +59,7 @@ internal static class SceneDraws
         for (int i = 0; i < all.Count; i++)
         {
             DrawRequest draw = all[i];
-            if (draw.Material != null && draw.IsVisible && draw.SeenBy(camera) && frustum.Touches(draw.Bounds))
+            if (draw.Material != null && draw.IsVisible && draw.SeenBy(camera, camera.cullingMask) && frustum.Touches(draw.Bounds))
             {
                 float distance = -view.MultiplyPoint3x4(draw.Bounds.center).z;
                 visible.Add(new VisibleDraw(draw, draw.Material.renderQueue, distance, i));
@@ -68,10 +72,10 @@ internal static class SceneDraws
     /// <summary>Opaque draws by queue and front to back.</summary>
     public static IEnumerable<VisibleDraw> Opaque(List<VisibleDraw> visible) => visible
         .Where(d => d.Queue <= (int)RenderQueue.GeometryLast)
-        .OrderBy(d => d.Queue).ThenBy(d => d.Request.Priority).ThenBy(d => d.Distance).ThenBy(d => d.Order);
+        .OrderBy(d => d.Queue).ThenBy(d => d.Request.SortingOrder).ThenBy(d => d.Request.Priority).ThenBy(d => d.Distance).ThenBy(d => d.Order);
 
     /// <summary>Transparent draws by queue and back to front.</summary>
     public static IEnumerable<VisibleDraw> Transparent(List<VisibleDraw> visible) => visible
         .Where(d => d.Queue > (int)RenderQueue.GeometryLast)
-        .OrderBy(d => d.Queue).ThenBy(d => d.Request.Priority).ThenByDescending(d => d.Distance).ThenBy(d => d.Order);
+        .OrderBy(d => d.Queue).ThenBy(d => d.Request.SortingOrder).ThenBy(d => d.Request.Priority).ThenByDescending(d => d.Distance).ThenBy(d => d.Order);
 }

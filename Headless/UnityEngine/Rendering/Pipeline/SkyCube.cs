@@ -7,14 +7,6 @@ namespace Headless.Engine;
 /// <remarks>Its mip levels are box-filtered, where Unity convolves with the lobes of rough surfaces.</remarks>
 internal static class SkyCube
 {
-    // Forward and up of the six faces in Direct3D's order: the first row of a face lies in the direction of its up.
-    private static readonly (Vector3 Forward, Vector3 Up)[] Faces =
-    [
-        (Vector3.right, Vector3.up), (Vector3.left, Vector3.up),
-        (Vector3.up, Vector3.back), (Vector3.down, Vector3.forward),
-        (Vector3.forward, Vector3.up), (Vector3.back, Vector3.up),
-    ];
-
     public static RenderTexture New(int resolution, string name)
     {
         int edge = Mathf.Clamp(resolution, ReflectionProbe.minBakedCubemapResolution, ReflectionProbe.maxBakedCubemapResolution);
@@ -35,13 +27,12 @@ internal static class SkyCube
         (Vector4 light, Vector4 ortho) = (sheet.GetVector(BuiltinNames.LightPosition), sheet.GetVector(BuiltinNames.OrthoParams));
         sheet.SetVector(BuiltinNames.LightPosition, Sun());
         sheet.SetVector(BuiltinNames.OrthoParams, default);
-        for (int face = 0; face < Faces.Length; face++)
+        for (int face = 0; face < CubeFaces.Count; face++)
         {
             // Not flipped: the first row of a face is its top.
             TargetState.Set(new DrawTarget { Colors = [cube.DrawTarget!], Resolves = [null], Slice = face });
             TargetState.Clear(true, false, background.linear, 0f);
-            Matrix4x4 toFace = Matrix4x4.Rotate(Quaternion.Inverse(Quaternion.LookRotation(Faces[face].Forward, Faces[face].Up)));
-            ViewState.Set(Matrix4x4.Scale(new Vector3(1f, 1f, -1f)) * toFace, Matrix4x4.Perspective(90f, 1f, 0.1f, 10f));
+            ViewState.Set(Matrix4x4.Scale(new Vector3(1f, 1f, -1f)) * CubeFaces.ToFace(face), Matrix4x4.Perspective(90f, 1f, 0.1f, 10f));
             if (skybox)
             {
                 Sky.Draw();

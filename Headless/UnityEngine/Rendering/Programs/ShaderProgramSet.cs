@@ -6,17 +6,18 @@ using UnityEngine;
 
 namespace Headless.Engine;
 
-/// <summary>The parsed side of a Shader: the SubShader that fits this device, its passes and the property defaults.</summary>
+/// <summary>The parsed side of a Shader: the SubShader that fits this device and pipeline, its passes and the property defaults.</summary>
 internal sealed class ShaderProgramSet
 {
-    private readonly PassProgram[] passes;
+    private readonly Dictionary<SubShader, PassProgram[]> made = [];
+    private string? pipeline;
+    private SubShader? chosen;
+    private PassProgram[] passes = [];
+    private string[] keywords = [];
 
     public ShaderProgramSet(ShaderLabSource source)
     {
         Source = source;
-        SubShader = source.SubShaders.FirstOrDefault(Fits);
-        passes = SubShader is null ? [] : [.. SubShader.Passes.Select(p => new PassProgram(p))];
-        KeywordNames = [.. passes.SelectMany(p => p.KeywordNames).Distinct()];
         foreach (ShaderProperty property in source.Properties)
         {
             AddDefault(property);
@@ -24,9 +25,35 @@ internal sealed class ShaderProgramSet
     }
 
     public ShaderLabSource Source { get; }
-    public SubShader? SubShader { get; }
-    public IReadOnlyList<PassProgram> Passes => passes;
-    public string[] KeywordNames { get; }
+
+    /// <summary>The first that fits; chosen again when the render pipeline changes.</summary>
+    public SubShader? SubShader
+    {
+        get
+        {
+            Choose();
+            return chosen;
+        }
+    }
+
+    public IReadOnlyList<PassProgram> Passes
+    {
+        get
+        {
+            Choose();
+            return passes;
+        }
+    }
+
+    public string[] KeywordNames
+    {
+        get
+        {
+            Choose();
+            return keywords;
+        }
+    }
+
     public PropertySheet Defaults { get; } = new();
 
     /// <summary>Names of default textures ("white", "bump"...) by property number.</summary>
@@ -62,11 +89,36 @@ internal sealed class ShaderProgramSet
 
     public static bool IsTexture(ShaderProperty property) => property.Type >= ShaderPropertyType.Texture2D;
 
+    private void Choose()
+    {
+        if (pipeline == Shader.globalRenderPipeline)
+        {
+            return;
+        }
+
+        pipeline = Shader.globalRenderPipeline;
+        chosen = Source.SubShaders.FirstOrDefault(s => Fits(s, pipeline));
+        passes = chosen is null ? [] : Programs(chosen);
+        keywords = [.. passes.SelectMany(p => p.KeywordNames).Distinct()];
+    }
+
+    private PassProgram[] Programs(SubShader subShader)
+    {
+        if (!made.TryGetValue(subShader, out PassProgram[]? programs))
+        {
+            programs = [.. subShader.Passes.Select(p => new PassProgram(p))];
+            made.Add(subShader, programs);
+        }
+
+        return programs;
+    }
+
     /// <summary>A SubShader for another render pipeline, or that needs a stage that the device does not have, does not fit.</summary>
-    private static bool Fits(SubShader subShader)
+    private static bool Fits(SubShader subShader, string pipeline)
     {
         bool otherPipeline = subShader.Tags.Any(t =>
-            string.Equals(t.Key, "RenderPipeline", StringComparison.OrdinalIgnoreCase) && t.Value.Length > 0);
+            string.Equals(t.Key, "RenderPipeline", StringComparison.OrdinalIgnoreCase) && t.Value.Length > 0
+            && !string.Equals(t.Value, pipeline, StringComparison.OrdinalIgnoreCase));
         bool needsGeometry = subShader.Passes.Any(p => p.Program.Geometry.Length > 0);
         return !otherPipeline && (!needsGeometry || GraphicsDevice.Device.Limits.GeometryShader);
     }

@@ -69,9 +69,9 @@ public partial class Renderer : Component
 
     public void ResetLocalBounds() => localBoundsOverride = null;
 
-    internal override void OnAdded() => RendererList.Add(this);
+    internal override void OnAdded() => RegisteredRenderers.Add(this);
 
-    internal override void OnRemoved() => RendererList.Remove(this);
+    internal override void OnRemoved() => RegisteredRenderers.Remove(this);
 
     internal void SetEnabledRaw(bool value) => isEnabled = value;
 }

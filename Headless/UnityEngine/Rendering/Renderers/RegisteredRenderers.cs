@@ -4,7 +4,7 @@ using UnityEngine;
 namespace Headless.Engine;
 
 /// <summary>Renderers that are enabled in the running scenes.</summary>
-internal static class RendererList
+internal static class RegisteredRenderers
 {
     private static readonly List<Renderer> Renderers = [];
 

@@ -1,0 +1,26 @@
+namespace UnityEngine.Rendering;
+
+public sealed class GraphicsSettings : Object
+{
+    private static RenderPipelineAsset? defaultAsset;
+
+    private GraphicsSettings()
+    {
+    }
+
+    /// <summary>The quality level's, or else the default one; null: the built-in pipeline draws.</summary>
+    public static RenderPipelineAsset? currentRenderPipeline =>
+        QualitySettings.renderPipeline is { } asset && asset != null ? asset : defaultRenderPipeline;
+
+    public static RenderPipelineAsset? defaultRenderPipeline
+    {
+        get => defaultAsset != null ? defaultAsset : null;
+        set => RenderPipelineManager.Change(() => defaultAsset = value);
+    }
+
+    /// <summary>On: a light's color is made linear before the intensity multiplies it, and color temperatures count.</summary>
+    public static bool lightsUseLinearIntensity { get; set; }
+
+    public static bool lightsUseColorTemperature { get; set; }
+    public static bool useScriptableRenderPipelineBatching { get; set; }
+}
