@@ -45,6 +45,12 @@ public struct RenderTextureDescriptor
         autoGenerateMips = true;
     }
 
+    public RenderTextureDescriptor(int width, int height, GraphicsFormat colorFormat, GraphicsFormat depthStencilFormat)
+        : this(width, height, colorFormat, 0)
+    {
+        this.depthStencilFormat = depthStencilFormat;
+    }
+
     public int width { get; set; }
     public int height { get; set; }
     public int msaaSamples { get; set; }

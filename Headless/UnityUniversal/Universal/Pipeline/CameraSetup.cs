@@ -92,7 +92,7 @@ internal static class CameraSetup
             return SystemInfo.GetGraphicsFormat(DefaultFormat.LDR);
         }
 
-        return settings.hdrColorBufferPrecision == HDRColorBufferPrecision._32Bits && SystemInfo.IsFormatSupported(GraphicsFormat.B10G11R11_UFloatPack32, FormatUsage.Render)
+        return settings.hdrColorBufferPrecision == HDRColorBufferPrecision._32Bits && SystemInfo.SupportsRenderTextureFormat(RenderTextureFormat.RGB111110Float)
             ? GraphicsFormat.B10G11R11_UFloatPack32
             : GraphicsFormat.R16G16B16A16_SFloat;
     }

@@ -37,7 +37,7 @@ public sealed class UniversalRenderPipeline : RenderPipeline
     /// <summary>Names of the passes that the last camera ran.</summary>
     internal IReadOnlyList<string> LastPasses => graph.LastRun;
 
-    protected override void Render(ScriptableRenderContext renderContext, Camera[] cameras) => Render(renderContext, [.. cameras]);
+    protected override void Render(ScriptableRenderContext renderContext, Camera[] cameras) => Render(renderContext, new List<Camera>(cameras));
 
     protected override void Render(ScriptableRenderContext renderContext, List<Camera> cameras)
     {
