@@ -40,6 +40,7 @@ public class UniversalRenderPipelineAsset : RenderPipelineAsset
     [SerializeField] private bool m_SupportsLightLayers;
 
     private ScriptableRenderer?[] made = [];
+    private Material? lit;
 
     public bool supportsCameraDepthTexture { get => m_RequireDepthTexture; set => m_RequireDepthTexture = value; }
     public bool supportsCameraOpaqueTexture { get => m_RequireOpaqueTexture; set => m_RequireOpaqueTexture = value; }
@@ -85,7 +86,21 @@ public class UniversalRenderPipelineAsset : RenderPipelineAsset
 
     public ScriptableRenderer scriptableRenderer => GetRenderer(-1);
     public ReadOnlySpan<ScriptableRendererData?> rendererDataList => m_RendererDataList;
-    public override Shader? defaultShader => Shader.Find("Universal Render Pipeline/Lit") ?? base.defaultShader;
+    public override Shader defaultShader => UniversalShaders.Find("Universal Render Pipeline/Lit");
+
+    /// <summary>Of primitives, and of renderers without a material of their own.</summary>
+    public override Material defaultMaterial
+    {
+        get
+        {
+            if (lit == null)
+            {
+                lit = new Material(defaultShader) { name = "Lit", hideFlags = HideFlags.NotEditable };
+            }
+
+            return lit;
+        }
+    }
 
     internal SoftShadowQuality SoftShadowQuality => m_SoftShadowQuality;
 
