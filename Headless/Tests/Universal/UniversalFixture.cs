@@ -28,6 +28,18 @@ public abstract class UniversalFixture : SceneFixture
         GraphicsSettings.defaultRenderPipeline = null;
     }
 
+    /// <summary>A primitive with the pipeline's own lit shader.</summary>
+    private protected static GameObject Lit(PrimitiveType type, Vector3 position, Color color)
+    {
+        GameObject primitive = GameObject.CreatePrimitive(type);
+        primitive.transform.position = position;
+        var material = new Material(Shader.Find("Universal Render Pipeline/Lit")!);
+        material.SetColor("_BaseColor", color);
+        material.SetFloat("_Smoothness", 0f);
+        primitive.GetComponent<Renderer>().sharedMaterial = material;
+        return primitive;
+    }
+
     /// <summary>A field of the asset that has no public setter, as its inspector changes it.</summary>
     private protected void Set(string field, object value) =>
         typeof(UniversalRenderPipelineAsset).GetField(field, BindingFlags.Instance | BindingFlags.NonPublic)!.SetValue(Asset, value);
