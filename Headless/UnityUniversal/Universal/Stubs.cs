@@ -1,4 +1,4 @@
-// Compiles SphFluid.Universal until the stand-in has these types.
+// Until the stand-in has these types.
 namespace UnityEngine.Rendering.Universal;
 
 public abstract class ScriptableRendererData : ScriptableObject
