@@ -22,11 +22,15 @@ internal sealed class EngineSession : IDisposable
     public ScriptAssemblies Scripts { get; }
     public Assembly[] Assemblies { get; private init; } = [];
 
+    /// <summary>What the user should know of the render pipeline that was asked for; null where nothing.</summary>
+    public string? PipelineNotice { get; private init; }
+
     /// <param name="console">Takes the lines of the console.</param>
+    /// <param name="pipeline">Name of the render pipeline; null for the project's.</param>
     /// <param name="direct3D">Compiles the kernels in the place of glslang.</param>
     public static EngineSession Start(
-        string project, string? assemblies, string? device, bool validate, Action<LogType, string> console, Direct3DFrontEnd? direct3D = null,
-        MemoryChecks? checks = null)
+        string project, string? assemblies, string? device, bool validate, Action<LogType, string> console, string? pipeline = null,
+        Direct3DFrontEnd? direct3D = null, MemoryChecks? checks = null)
     {
         EngineHooks.Console = console;
         var scripts = new ScriptAssemblies(assemblies);
@@ -38,8 +42,9 @@ internal sealed class EngineSession : IDisposable
         GraphicsDevice.Initialize(
             new GpuDeviceOptions { Adapter = device, Validate = validate, Poison = checks.Poison, CheckBounds = checks.Bounds }, compiler);
         UnityProject opened = UnityProject.Open(project, scripts.Find, includes, line => console(LogType.Warning, "[Import] " + line));
+        string? notice = PipelineChoice.Apply(pipeline);
         StaticMethods.Call<UnityEditor.InitializeOnLoadMethodAttribute>(_ => true);
-        return new EngineSession(opened, scripts) { Assemblies = loaded };
+        return new EngineSession(opened, scripts) { Assemblies = loaded, PipelineNotice = notice };
     }
 
     /// <summary>Statics are the same in each play of a process here, which only such settings ask for.</summary>
@@ -67,6 +72,7 @@ internal sealed class EngineSession : IDisposable
     public void Dispose()
     {
         PlaySession.End();
+        PipelineChoice.Apply(PipelineChoice.BuiltIn);
         EngineState.Reset();
         GraphicsDevice.Shutdown();
     }

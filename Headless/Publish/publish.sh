@@ -74,7 +74,7 @@ inspect
 mkdir -p -- "$(dirname -- "$target")" || refuse "'$(dirname -- "$target")' cannot be made."
 trap clean EXIT
 staging=$(mktemp -d -- "$(dirname -- "$target")/.sphplayer-publish.XXXXXX") || refuse "'$(dirname -- "$target")' cannot be written."
-scripts=(SphFluid SphFluid.Thesis SphFluid.Playback SphFluid.PySph SphFluid.Validation.Laboratory SphFluid.Validation)
+scripts=(SphFluid SphFluid.Universal SphFluid.Thesis SphFluid.Playback SphFluid.PySph SphFluid.Validation.Laboratory SphFluid.Validation)
 projects=''
 for script in "${scripts[@]}"; do projects+=${projects:+%3B}$root/Headless/Package/$script/$script.csproj; done
 dotnet publish "$root/Headless/Player/Headless.Player.csproj" -c Release --nologo -v quiet -clp:ErrorsOnly -o "$staging" \

@@ -58,11 +58,12 @@ internal sealed class PacedPlayer : IDisposable
         listener.Listen();
         string seconds = ((frames - 1) / options.Fps).ToString("R", CultureInfo.InvariantCulture);
         string[] device = options.Device is { } name ? ["--device", name] : [];
+        string[] pipeline = options.Pipeline is { } asked ? ["--pipeline", asked] : [];
         var start = new ProcessStartInfo(build.Player,
         [
             "play", "--project", build.Folder, "--assemblies", assemblies, "--scene", build.SceneOf(options.Scene, options.Build),
             "--executeMethod", "Headless.Pacing.Pacer.Play", "--seconds", seconds, "--fps", options.Fps.ToString("R", CultureInfo.InvariantCulture),
-            "--size", options.Size, "--no-images", "--out", Path.Combine(folder.FullName, "play"), .. device, "--", .. options.Words,
+            "--size", options.Size, "--no-images", "--out", Path.Combine(folder.FullName, "play"), .. device, .. pipeline, "--", .. options.Words,
         ])
         { RedirectStandardOutput = true, RedirectStandardError = true };
         start.Environment[Pacer.SocketVariable] = socket;

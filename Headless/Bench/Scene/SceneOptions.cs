@@ -14,6 +14,7 @@ internal sealed record SceneOptions
         new("--fps", "F", "frames a simulated second", "30"),
         new("--size", "WxH", "size of the pictures in pixels", "1280x720"),
         new("--device", "NAME|INDEX", "graphics device (./run devices lists them)", "a real GPU, else the CPU"),
+        new("--pipeline", "NAME", "as in play", "the project's"),
         new("--out", "DIR", "folder for the output", "Build/bench"),
         .. ofTheLiquid.Select(name => new Flag(name, "VALUE", "as in play", "as in the scene")),
     ];
@@ -28,6 +29,7 @@ internal sealed record SceneOptions
     public double Fps { get; init; } = 30;
     public string Size { get; init; } = "1280x720";
     public string? Device { get; init; }
+    public string? Pipeline { get; init; }
     public required string Out { get; init; }
 
     /// <summary>Words for the package, behind --.</summary>
@@ -51,6 +53,7 @@ internal sealed record SceneOptions
             Fps = flags.Number("--fps", 30, 1, 1000, "frames a second"),
             Size = flags.Text("--size", "1280x720"),
             Device = flags.Text("--device"),
+            Pipeline = flags.Text("--pipeline"),
             Out = flags.Text("--out", Path.Combine(build.Folder, "Build/bench")),
             Words = [.. ofTheLiquid.Where(flags.Has).SelectMany(f => new[] { f, flags.Required(f) })],
         };

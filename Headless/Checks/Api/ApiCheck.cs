@@ -24,6 +24,8 @@ internal sealed class ApiCheck
     // Serialised fields are assigned by the Editor.
     private static readonly string[] ignored = ["CS0649", "CS0414", "CS1701", "CS1702"];
 
+    private const string RenderPipelines = "Unity.RenderPipelines.";
+
     private readonly ProjectPackages packages;
     private readonly Dictionary<string, List<PackageAssembly>> assemblies;
     private readonly PackageSources sources;
@@ -50,10 +52,13 @@ internal sealed class ApiCheck
         for (var i = 0; i < UnityLine.All.Count; i++)
         {
             var line = UnityLine.All[i];
-            var difference = i == 0 ? null : differences[i - 1];
-            foreach (var report in Compile(new Pass(line, references[i], Editor: true, Optional: true, difference), whole, packages.All)) yield return report;
-            foreach (var report in Compile(new Pass(line, references[i], Editor: false, Optional: true, difference), whole, packages.All)) yield return report;
-            foreach (var report in Compile(new Pass(line, references[i], Editor: false, Optional: false, difference), whole, [packages.Product])) yield return report;
+            var pass = new Pass(line, references[i], Editor: true, Optional: true, i == 0 ? null : differences[i - 1])
+            {
+                NewerPipelines = line.HasRenderPipelinesBetween ? references[i + 1] : null,
+            };
+            foreach (var report in Compile(pass, whole, packages.All)) yield return report;
+            foreach (var report in Compile(pass with { Editor = false }, whole, packages.All)) yield return report;
+            foreach (var report in Compile(pass with { Editor = false, Optional = false }, whole, [packages.Product])) yield return report;
         }
     }
 
@@ -79,6 +84,9 @@ internal sealed class ApiCheck
     /// <param name="Difference">What differs from the oldest line; null for that itself.</param>
     private sealed record Pass(UnityLine Line, ReferenceAssemblies References, bool Editor, bool Optional, ApiDifference? Difference)
     {
+        /// <summary>The next line's, where the render pipelines lie between the two.</summary>
+        public ReferenceAssemblies? NewerPipelines { get; init; }
+
         public int Bit => 1 << (UnityLine.All.ToList().IndexOf(Line) - 1);
     }
 
@@ -146,6 +154,9 @@ internal sealed class ApiCheck
                 var trees = isWhole ? [.. compilation.SyntaxTrees] : compilation.SyntaxTrees.Where(t => whole.Concerns(pass, t, sources.Of(t), changed)).ToList();
                 files += trees.Count;
                 var diagnostics = isWhole ? compilation.GetDiagnostics() : trees.SelectMany(t => compilation.GetSemanticModel(t).GetDiagnostics());
+                foreach (var variant in Variants(pass, assembly, built))
+                    foreach (var diagnostic in variant.Compilation.GetDiagnostics().Where(d => IsFinding(d, pass, assembly)))
+                        findings.Add($"{assembly.Name} {variant.Name}: {Describe(diagnostic)}");
                 foreach (var diagnostic in diagnostics)
                 {
                     var isFinding = IsFinding(diagnostic, pass, assembly);
@@ -162,23 +173,35 @@ internal sealed class ApiCheck
         foreach (var tree in all.Values.SelectMany(b => b.Compilation.SyntaxTrees)) whole.Trees.Add(tree.FilePath, tree);
     }
 
-    private CSharpCompilation Create(Pass pass, PackageAssembly assembly, Dictionary<string, CSharpCompilation> built, List<string> findings)
+    // What else an optional assembly may meet: it is small, and compiled whole.
+    private IEnumerable<(string Name, CSharpCompilation Compilation)> Variants(Pass pass, PackageAssembly assembly, Dictionary<string, CSharpCompilation> built)
+    {
+        if (!assembly.IsOptional) yield break;
+        yield return ($"with {Leftover}", Create(pass, assembly, built, [], [Leftover]));
+        if (pass.NewerPipelines is { } newer) yield return ("with newer render pipelines", Create(pass, assembly, built, [], [], newer));
+    }
+
+    private CSharpCompilation Create(
+        Pass pass, PackageAssembly assembly, Dictionary<string, CSharpCompilation> built, List<string> findings, string[]? more = null,
+        ReferenceAssemblies? pipelines = null)
     {
         var references = pass.References;
-        string[] defines = [.. pass.Line.Defines(pass.Editor), .. pass.Optional ? assembly.ModuleDefines : [], .. assembly.IsOptional ? [Leftover] : (string[])[]];
+        string[] defines = [.. pass.Line.Defines(pass.Editor), .. pass.Optional ? assembly.ModuleDefines : [], .. more ?? []];
         var metadata = new List<MetadataReference>(ReferenceAssemblies.NetStandard) { references.Engine };
         if (pass.Editor) metadata.Add(references.Editor);
         foreach (var name in assembly.References)
         {
             if (name == "UnityEngine.TestRunner") metadata.Add(references.EngineTestRunner);
             else if (name == "UnityEditor.TestRunner") metadata.Add(references.EditorTestRunner);
-            else if (references.Packages.TryGetValue(name, out var package)) metadata.Add(package);
+            else if (PackagesFor(name).Packages.TryGetValue(name, out var package)) metadata.Add(package);
             else if (built.TryGetValue(name, out var dependency)) metadata.Add(dependency.ToMetadataReference());
             else findings.Add($"{assembly.Name}: references {name}, which is neither Unity's nor of a package that it may build on");
         }
         if (assembly.IsTest) metadata.Add(ReferenceAssemblies.NUnit);
         return CSharpCompilation.Create(assembly.Name, sources.Parse(assembly, defines), metadata.Distinct(),
             new CSharpCompilationOptions(OutputKind.DynamicallyLinkedLibrary, warningLevel: 4, allowUnsafe: assembly.AllowsUnsafe));
+
+        ReferenceAssemblies PackagesFor(string name) => name.StartsWith(RenderPipelines, StringComparison.Ordinal) ? pipelines ?? references : references;
     }
 
     private static bool IsMark(Diagnostic diagnostic) => diagnostic.Id.StartsWith(ReferenceAssemblies.Marked, StringComparison.Ordinal);

@@ -23,6 +23,9 @@ internal sealed class ApiList
     /// <summary>Packages that the fluid package uses, each after those it builds on: by assembly name, members that a player build has.</summary>
     public IReadOnlyList<KeyValuePair<string, IReadOnlyList<ApiEntry>>> Packages { get; }
 
+    /// <summary>Their members that only the Editor has.</summary>
+    public IReadOnlyList<ApiEntry> OfPackagesInEditor { get; }
+
     private ApiList(UnityLine line)
     {
         Line = line;
@@ -30,6 +33,7 @@ internal sealed class ApiList
         Editor = Of(line, "editor");
         TestFramework = Of(line, "test-framework");
         Packages = [.. packages.Select(p => new KeyValuePair<string, IReadOnlyList<ApiEntry>>(p.Assembly, Of(line, p.List).FindAll(e => !e.IsEditorOnly)))];
+        OfPackagesInEditor = [.. packages.SelectMany(p => Of(line, p.List)).Where(e => e.IsEditorOnly)];
     }
 
     public IEnumerable<ApiEntry> All => Engine.Concat(Editor).Concat(TestFramework).Concat(Packages.SelectMany(p => p.Value));

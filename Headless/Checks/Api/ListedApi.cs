@@ -11,7 +11,7 @@ internal sealed class ListedApi
     public ListedApi(ApiList list)
     {
         Line = list.Line;
-        ids = list.All.Select(e => e.DocumentationId).ToHashSet();
+        ids = list.All.Concat(list.OfPackagesInEditor).Select(e => e.DocumentationId).ToHashSet();
     }
 
     public bool Contains(ISymbol symbol, INamedTypeSymbol type)

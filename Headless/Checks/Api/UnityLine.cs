@@ -1,11 +1,14 @@
 namespace Headless.Checks.Api;
 
 /// <summary>A line of Unity whose public API is at hand; what is found against an alpha is noted and fails nothing.</summary>
-internal sealed record UnityLine(string Name, bool IsAlpha = false)
+/// <param name="Name">As in the lists' headers.</param>
+/// <param name="IsAlpha">Whether its API may still change.</param>
+/// <param name="HasRenderPipelinesBetween">Whether its render pipelines, which have no list, lie between those of its own list and of the next line's.</param>
+internal sealed record UnityLine(string Name, bool IsAlpha = false, bool HasRenderPipelinesBetween = false)
 {
     /// <summary>The lines that the packages are compiled against, the oldest first: those of the lists' headers.</summary>
     public static IReadOnlyList<UnityLine> All { get; } =
-        [new("2022.3"), new("6000.0"), new("6000.3"), new("6000.5"), new("6000.7", IsAlpha: true)];
+        [new("2022.3"), new("6000.0"), new("6000.3", HasRenderPipelinesBetween: true), new("6000.5"), new("6000.7", IsAlpha: true)];
 
     // Releases with a define of their own, of which a line has those up to its own.
     private static readonly string[] releases =

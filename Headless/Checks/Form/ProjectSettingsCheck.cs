@@ -25,6 +25,7 @@ internal sealed partial class ProjectSettingsCheck(ProjectPackages packages)
         ["QualitySettings"] = ("QualitySettings", 47),
         ["TagManager"] = ("TagManager", 78),
         ["TimeManager"] = ("TimeManager", 5),
+        ["URPProjectSettings"] = ("MonoBehaviour", 114),
         ["UnityConnectSettings"] = ("UnityConnectSettings", 310),
         ["VFXManager"] = ("VFXManager", 937362698),
         ["VersionControlSettings"] = ("VersionControlSettings", 890905787),

@@ -6,6 +6,7 @@ namespace Headless.Importers.Assets;
 public sealed class ImportedAsset(string assetPath, string guid)
 {
     private readonly Dictionary<long, Object> objects = [];
+    private readonly HashSet<long> leftOut = [];
     private Object? main;
     private Action? rest;
 
@@ -41,6 +42,11 @@ public sealed class ImportedAsset(string assetPath, string guid)
         Add(fileId, asset);
         main = asset;
     }
+
+    /// <summary>The file has an object that is not made here; whoever left it out has said so.</summary>
+    public void LeaveOut(long fileId) => leftOut.Add(fileId);
+
+    public bool IsLeftOut(long fileId) => leftOut.Contains(fileId);
 
     /// <summary>Puts off the part that few ask for: a model's meshes are used far more often than its prefab.</summary>
     public void AddLater(Action importRest) => rest = importRest;

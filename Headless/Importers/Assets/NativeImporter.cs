@@ -17,7 +17,11 @@ internal sealed class NativeImporter : IAssetImporter
         SourceFile source = file.Project.Expander.Expand(file.AssetPath, documents);
         foreach (SourceObject item in source.Objects)
         {
-            if (builder.CreateAsset(item) is not { } created) continue;
+            if (builder.CreateAsset(item) is not { } created)
+            {
+                file.Result.LeaveOut(item.FileId);
+                continue;
+            }
             bool isMain = item.FileId == mainId;
             created.name = isMain ? file.Name : item.Name;
             if (isMain) file.Result.AddMain(item.FileId, created);

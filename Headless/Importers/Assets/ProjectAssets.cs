@@ -155,6 +155,7 @@ public sealed class ProjectAssets : IReferenceResolver
         }
         if (asset.Find(reference.FileId) is { } found) return found;
         if (reference.FileId == PrefabImporter.RootId) return asset.Main;
+        if (asset.IsLeftOut(reference.FileId)) return null;
         Report($"{where}: '{path}' has no object with fileID {reference.FileId}; the reference is null.");
         return null;
     }

@@ -19,6 +19,11 @@ internal sealed class ScriptCatalog(ProjectIndex index, Func<string, Assembly?> 
 
     private Type? Search(string guid, Type baseType, string where)
     {
+        if (UnityScripts.TryFind(guid, assemblies, out Type? type, out string? missing))
+        {
+            if (missing is not null) report($"{where}: Unity's class {missing} has no stand-in; its objects are left out.");
+            return type is not null && baseType.IsAssignableFrom(type) && !type.IsAbstract ? type : null;
+        }
         if (index.PathOf(guid) is not { } path)
         {
             report($"{where}: the script with GUID {guid} is missing from the project; the component is left out. Install the package that has it, or restore the script with its .meta.");

@@ -149,6 +149,7 @@ internal sealed class SceneWriter
 
     private string ScriptOf(Type type)
     {
+        if (Assets.UnityScripts.GuidOf(type) is { } ofUnity) return ofUnity;
         foreach (string path in project.Index.AssetPaths.Where(p => p.EndsWith($"/{type.Name}.cs", StringComparison.Ordinal)))
             if (project.Index.GuidOf(path) is { } guid && project.Scripts.Find(guid, typeof(MonoBehaviour), path) == type) return guid;
         throw new NotSupportedException($"The scene has a component {type.FullName}, and no script asset of the project has this class; it cannot be saved.");

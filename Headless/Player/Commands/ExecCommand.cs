@@ -15,7 +15,9 @@ internal static class ExecCommand
             Heard = () => Console.Error.WriteLine("\n" + Message.Of("stopping; what is finished is in the files. Ctrl-C again ends at once.")),
             EndFiles = () => Console.Error.WriteLine(Message.Of("interrupted; what was finished before is in the files.")),
         };
-        using EngineSession session = EngineSession.Start(options.Project, options.Assemblies, options.Device, options.Validate, console.Write);
+        using EngineSession session = EngineSession.Start(
+            options.Project, options.Assemblies, options.Device, options.Validate, console.Write, options.Pipeline);
+        if (session.PipelineNotice is { } notice) console.Write(UnityEngine.LogType.Log, notice);
         PlaySession.Begin(null, session.Assemblies);
         int code = MethodRunner.Run(session.Scripts.FindMethod("--executeMethod", options.ExecuteMethod)) ?? RunLoop(interruption);
         interruption.Acknowledge();

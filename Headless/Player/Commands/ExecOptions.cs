@@ -6,13 +6,16 @@ public sealed record ExecOptions
     internal static readonly IReadOnlyList<Flag> Flags =
     [
         CommonFlags.Project, CommonFlags.Assemblies, CommonFlags.ExecuteMethod("called once; what it leaves runs until it quits"), CommonFlags.Device,
-        CommonFlags.Validate,
+        CommonFlags.Pipeline with { Hidden = true }, CommonFlags.Validate,
     ];
 
     public required string Project { get; init; }
     public required string ExecuteMethod { get; init; }
     public string? Assemblies { get; init; }
     public string? Device { get; init; }
+
+    /// <summary>Name of the render pipeline; null for the project's.</summary>
+    public string? Pipeline { get; init; }
     public bool Validate { get; init; }
 
     public static ExecOptions Parse(IReadOnlyList<string> words)
@@ -24,6 +27,7 @@ public sealed record ExecOptions
             ExecuteMethod = arguments.Required("--executeMethod"),
             Assemblies = arguments.Has("--assemblies") ? arguments.Folder("--assemblies") : null,
             Device = arguments.Text("--device"),
+            Pipeline = arguments.Text("--pipeline"),
             Validate = arguments.Has("--validate"),
         };
     }

@@ -62,7 +62,9 @@ internal sealed class PlayCommand : IDisposable
         using var activity = new ActivityLine(Console.Out, !Console.IsOutputRedirected);
         console.Activity = activity;
         activity.Begin("opening the project");
-        using EngineSession session = EngineSession.Start(options.Project, options.Assemblies, options.Device, options.Validate, console.Write);
+        using EngineSession session = EngineSession.Start(
+            options.Project, options.Assemblies, options.Device, options.Validate, console.Write, options.Pipeline);
+        if (session.PipelineNotice is { } notice) console.Write(LogType.Log, notice);
         if (options.Twice) EngineSession.RequireStaticsThatStay("--twice");
         ShaderCompiler compiler = GraphicsDevice.Compiler;
         activity.Detail = () => compiler.Activity ?? (ProjectAssets.Importing is { } asset ? "importing " + asset : null);

@@ -22,7 +22,7 @@ public sealed record PlayOptions
         new("--fps", "F", "frames a simulated second, and of the film", Text(DefaultFps)),
         new("--size", "WxH", "size of the pictures in pixels", DefaultSize),
         new("--out", "DIR", "folder for the output", DefaultFolder),
-        CommonFlags.Device,
+        CommonFlags.Device, CommonFlags.Pipeline,
         Flag.Switch("--no-images", "no pictures and no film, only figures"),
         Flag.Switch("--open", "shows the film at the end, with the desktop's program for films"),
         Flag.Switch("--twice", "plays it again without a domain reload, and fails where a picture differs"),
@@ -39,6 +39,9 @@ public sealed record PlayOptions
     public int Height { get; init; }
     public string Out { get; init; } = DefaultFolder;
     public string? Device { get; init; }
+
+    /// <summary>Name of the render pipeline; null for the project's.</summary>
+    public string? Pipeline { get; init; }
     public string? ExecuteMethod { get; init; }
     public bool Images { get; init; } = true;
     public bool Validate { get; init; }
@@ -67,6 +70,7 @@ public sealed record PlayOptions
             Height = height,
             Out = arguments.Text("--out", DefaultFolder),
             Device = arguments.Text("--device"),
+            Pipeline = arguments.Text("--pipeline"),
             ExecuteMethod = arguments.Text("--executeMethod"),
             Images = !arguments.Has("--no-images"),
             Validate = arguments.Has("--validate"),

@@ -28,9 +28,11 @@ internal static class TestCommand
         }
         using var output = new TestRunOutput(Console.Out);
         using EngineSession session = EngineSession.Start(
-            options.Project, options.Assemblies, options.Device, options.Validate, output.AddConsoleLine, direct3D, options.Checks);
+            options.Project, options.Assemblies, options.Device, options.Validate, output.AddConsoleLine, options.Pipeline, direct3D,
+            options.Checks);
         AsyncReadbacks.Frames = options.ReadbackFrames;
         if (options.Twice is not null) EngineSession.RequireStaticsThatStay("--twice");
+        if (session.PipelineNotice is { } notice) Console.WriteLine(notice);
         Console.WriteLine($"graphics device: {GraphicsDevice.Device.Adapter}{options.Checks}");
         var definitions = new AssemblyDefinitions(session.Project.Index);
         ILookup<bool, Assembly> tests = session.Assemblies.Where(HasTests)

@@ -21,7 +21,7 @@ public sealed record TestOptions
         Flag.Switch("--again", "then each line of standard input names a file of tests to run next"),
         new("--coverage", "FILE", "writes what each test took and used"),
         new("--compiler", "NAME", "what compiles the kernels", "glslang") { Choices = Compilers },
-        CommonFlags.Device, CommonFlags.Validate,
+        CommonFlags.Device, CommonFlags.Pipeline, CommonFlags.Validate,
         new("--readback-frames", "N", "frames until an asynchronous read-back arrives, at least", "1"),
         Flag.Switch("--poison", "fills what Unity leaves undefined with set bits"),
         Flag.Switch("--check-bounds", "fails a test whose shader indexes outside a buffer"),
@@ -48,6 +48,9 @@ public sealed record TestOptions
     /// <summary>Which of the tests of play mode run in a second play too; null for none.</summary>
     public string? Twice { get; init; }
     public string? Device { get; init; }
+
+    /// <summary>Name of the render pipeline; null for the project's.</summary>
+    public string? Pipeline { get; init; }
     public bool Validate { get; init; }
     public MemoryChecks Checks { get; init; } = new(false, false);
 
@@ -73,6 +76,7 @@ public sealed record TestOptions
             Twice = arguments.Text("--twice"),
             StopOnFail = arguments.Has("--stop-on-fail"),
             Device = arguments.Text("--device"),
+            Pipeline = arguments.Text("--pipeline"),
             Validate = arguments.Has("--validate"),
             ReadbackFrames = arguments.Whole("--readback-frames", 1, 1),
             Checks = new MemoryChecks(

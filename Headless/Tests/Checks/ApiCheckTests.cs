@@ -95,6 +95,29 @@ public sealed class ApiCheckTests
         IEnumerable<string> Files(string pass) => reports.Where(r => r.Name.Contains(pass + ",") && !r.Name.Contains("without")).SelectMany(r => r.Findings).Select(f => f[..f.IndexOf(' ', f.IndexOf("CS"))]);
     }
 
+    [TestCase("URP_COMPATIBILITY_MODE", "A with URP_COMPATIBILITY_MODE")]
+    [TestCase("!URP_COMPATIBILITY_MODE", "A")]
+    public void AnOptionalAssemblyIsCompiledWithTheLeftoverAndWithout(string condition, string named)
+    {
+        var findings = RunOptional($"#if {condition}\nclass A {{ object B() => Missing; }}\n#endif");
+
+        Assert.That(findings("2022.3 Editor").Concat(findings("6000.5 player")).ToList(), Has.Count.EqualTo(2).And.All.StartsWith(named + ": A.cs(2): CS0103"));
+    }
+
+    [TestCase("useNativeRenderPass", "6000.0", "")]
+    [TestCase("useNativeRenderPass", "6000.3", "A with newer render pipelines: A.cs(1): CS0618")]
+    [TestCase("useNativeRenderPass", "6000.5", "A: A.cs(1): CS0618")]
+    [TestCase("tileOnlyMode", "2022.3", "A: A.cs(1): CS1061")]
+    [TestCase("tileOnlyMode", "6000.3", "A: A.cs(1): CS1061")]
+    [TestCase("tileOnlyMode", "6000.5", "")]
+    public void RenderPipelinesOfALineWithoutAListLieBetweenTwo(string member, string line, string expected)
+    {
+        var findings = RunOptional($"class A {{ object B(UnityEngine.Rendering.Universal.UniversalRendererData d) => d.{member}; }}")(line + " Editor")
+            .FindAll(f => !f.Contains("URP_COMPATIBILITY_MODE"));
+
+        Assert.That(findings, expected.Length == 0 ? Is.Empty : Has.Count.EqualTo(1).And.All.StartsWith(expected));
+    }
+
     [Test]
     public void TestsKeepToUnitysNUnit()
     {
@@ -136,6 +159,18 @@ public sealed class ApiCheckTests
 
     private static IEnumerable<string> FindingsOf(string expression, string pass) => ofExpressions.Value.Where(r => r.Name.Contains(pass))
         .SelectMany(r => r.Findings).Where(f => f.Contains($" C{expressions.IndexOf(expression)}.cs("));
+
+    private static Func<string, List<string>> RunOptional(string source)
+    {
+        using var package = new TemporaryPackage().Write("Runtime/A.cs", source).Write("Runtime/A.asmdef", """
+            {
+                "name": "A", "references": ["Unity.RenderPipelines.Core.Runtime", "Unity.RenderPipelines.Universal.Runtime"], "includePlatforms": [],
+                "defineConstraints": ["OPTIONAL"], "versionDefines": [{ "name": "com.unity.render-pipelines.universal", "expression": "14.0.0", "define": "OPTIONAL" }]
+            }
+            """);
+        List<CheckReport> reports = [.. new ApiCheck(package.Packages).Run()];
+        return pass => [.. reports.Where(r => r.Name.Contains(pass + ",") && !r.Name.Contains("without")).SelectMany(r => r.Findings)];
+    }
 
     private static List<CheckReport> Run(string source)
     {

@@ -34,6 +34,7 @@ internal sealed class FuzzProject : IDisposable
             Copy(sample, "Assets/" + Path.GetFileName(sample));
         }
         Copy(Path.Combine(repository, "Headless/Tests/Projects/Ripples/Assets"), "Assets/Ripples");
+        Copy(Path.Combine(repository, "Assets/Settings"), "Assets/Settings");
         Copy(Path.Combine(repository, "ProjectSettings"), "ProjectSettings");
         scripts = new ScriptAssemblies(Path.Combine(repository, "Build/ScriptAssemblies"));
         includes = new IncludeResolver(Root);
@@ -80,6 +81,7 @@ internal sealed class FuzzProject : IDisposable
         else if (asset.StartsWith("ProjectSettings/", StringComparison.Ordinal))
         {
             ProjectSettingsReader.ScenesInBuild(Root);
+            RenderPipelineReader.Apply(Root, assets);
         }
         else if (assets.Index.GuidOf(asset) is not null)
         {

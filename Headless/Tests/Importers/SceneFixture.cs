@@ -33,10 +33,17 @@ public abstract class SceneFixture
         Project.Dispose();
     }
 
+    protected static Assembly? FindAssembly(string name) => name switch
+    {
+        "Assembly-CSharp" => Assembly.GetExecutingAssembly(),
+        _ when name.StartsWith("Unity.RenderPipelines.", StringComparison.Ordinal) => Assembly.Load(name),
+        _ => null,
+    };
+
     protected Scene PlayScene(string documents)
     {
         Project.Add("Assets/Main.unity", Start + documents);
-        UnityProject.Open(Project.Root, name => name == "Assembly-CSharp" ? Assembly.GetExecutingAssembly() : null, new IncludeResolver(Project.Root), Reports.Add);
+        UnityProject.Open(Project.Root, FindAssembly, new IncludeResolver(Project.Root), Reports.Add);
         PlaySession.Begin("Assets/Main.unity");
         return SceneManager.GetActiveScene();
     }

@@ -20,8 +20,8 @@ public sealed class PlayOptionsTests
     [Test]
     public void FlagsAreRead()
     {
-        PlayOptions options = Parse("--seconds", "0.5", "--fps=60", "--size", "64x48", "--no-images", "--validate", "--device", "llvmpipe");
-        Assert.That((options.Frames, options.Width, options.Height, options.Images, options.Validate, options.Device), Is.EqualTo((31, 64, 48, false, true, "llvmpipe")));
+        PlayOptions options = Parse("--seconds", "0.5", "--fps=60", "--size", "64x48", "--no-images", "--validate", "--device", "llvmpipe", "--pipeline", "built-in");
+        Assert.That((options.Frames, options.Width, options.Height, options.Images, options.Validate, options.Device, options.Pipeline), Is.EqualTo((31, 64, 48, false, true, "llvmpipe", "built-in")));
     }
 
     [Test]
@@ -40,6 +40,7 @@ public sealed class PlayOptionsTests
     [TestCase("--out must not be empty.", "--out", "")]
     [TestCase("--out must not be empty.", "--out=")]
     [TestCase("--device must not be empty.", "--device", " ")]
+    [TestCase("--pipeline must be one of universal, built-in, found 'univesal'; did you mean universal?", "--pipeline", "univesal")]
     [TestCase("--seconds needs a value.", "--seconds")]
     [TestCase("--seconds needs a value.", "--seconds", "--fps", "3")]
     [TestCase("--fps is given twice.", "--fps", "3", "--fps", "4")]

@@ -84,10 +84,12 @@ public sealed class ProductAloneTests
         }
         CopyFolder(Path.Combine(roots[^1], "Samples~", sample), Path.Combine(folder, "Assets", sample));
         File.WriteAllText(Path.Combine(folder, "Assets", sample + ".meta"), $"fileFormatVersion: 2\nguid: {new string('a', 32)}\nfolderAsset: yes\n");
-        CopyFolder(Path.Combine(FuzzProject.Repository, "ProjectSettings"), Path.Combine(folder, "ProjectSettings"));
+        foreach (string settings in new[] { "ProjectSettings", "Assets/Settings" })
+            CopyFolder(Path.Combine(FuzzProject.Repository, settings), Path.Combine(folder, settings));
+        File.Copy(Path.Combine(FuzzProject.Repository, "Assets/Settings.meta"), Path.Combine(folder, "Assets/Settings.meta"));
         Directory.CreateDirectory(Path.Combine(folder, "Assemblies"));
         IEnumerable<PackageAssembly> assemblies = [.. roots.SelectMany(PackageAssembly.FindAll), .. PackageAssembly.FindSamples(roots[^1]).Where(a => Path.GetFileName(a.Folder) == sample)];
-        foreach (string name in assemblies.Where(a => !a.EditorOnly && !a.IsTest && !a.IsOptional).Select(a => a.Name + ".dll"))
+        foreach (string name in assemblies.Where(a => !a.EditorOnly && !a.IsTest).Select(a => a.Name + ".dll"))
             File.Copy(Path.Combine(FuzzProject.Repository, "Build/ScriptAssemblies", name), Path.Combine(folder, "Assemblies", name));
     }
 

@@ -25,6 +25,7 @@ public sealed class PublishTests
             mkdir -p "$2/lib" && echo player > "$2/sphplayer" && echo library > "$2/lib/a.dll"
             """);
         Write("Build/ScriptAssemblies/SphFluid.dll", "a");
+        Write("Build/ScriptAssemblies/SphFluid.Universal.dll", "g");
         Write("Build/ScriptAssemblies/SphFluid.Thesis.dll", "e");
         Write("Build/ScriptAssemblies/SphFluid.Playback.dll", "c");
         Write("Build/ScriptAssemblies/SphFluid.PySph.dll", "d");
@@ -41,7 +42,7 @@ public sealed class PublishTests
     public void AFolderThatIsNotThereIsMadeAndListed()
     {
         Assert.That(Publish(outside).Code, Is.Zero);
-        Assert.That(FilesIn(outside), Is.EqualTo(new[] { "ScriptAssemblies/SphFluid.Playback.dll", "ScriptAssemblies/SphFluid.PySph.dll", "ScriptAssemblies/SphFluid.Thesis.dll", "ScriptAssemblies/SphFluid.Validation.Laboratory.dll", "ScriptAssemblies/SphFluid.Validation.dll", "ScriptAssemblies/SphFluid.dll", "lib/a.dll", "sphplayer", List }));
+        Assert.That(FilesIn(outside), Is.EqualTo(new[] { "ScriptAssemblies/SphFluid.Playback.dll", "ScriptAssemblies/SphFluid.PySph.dll", "ScriptAssemblies/SphFluid.Thesis.dll", "ScriptAssemblies/SphFluid.Universal.dll", "ScriptAssemblies/SphFluid.Validation.Laboratory.dll", "ScriptAssemblies/SphFluid.Validation.dll", "ScriptAssemblies/SphFluid.dll", "lib/a.dll", "sphplayer", List }));
         Assert.That(Directory.GetFileSystemEntries(Path.GetDirectoryName(outside)!), Has.Length.EqualTo(2), "nothing is left beside it");
     }
 

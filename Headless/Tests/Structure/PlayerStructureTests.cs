@@ -20,6 +20,7 @@ public sealed class PlayerStructureTests
     [TestCase("UnityEditor")]
     [TestCase("UnityEngine")]
     [TestCase("UnityMathematics")]
+    [TestCase("UnityUniversal")]
     [TestCase("Vulkan")]
     public void NoSourceOfThePlayerNamesThePackage(string folder)
     {

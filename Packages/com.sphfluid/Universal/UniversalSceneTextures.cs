@@ -1,4 +1,5 @@
 using UnityEngine;
+using UnityEngine.Rendering;
 using UnityEngine.Rendering.Universal;
 
 namespace SphFluid
@@ -11,10 +12,12 @@ namespace SphFluid
     {
         private readonly SceneTextureRequest request = new SceneTextureRequest();
 
+        public RendererLimit Limit => LimitOf((GraphicsSettings.currentRenderPipeline as UniversalRenderPipelineAsset)?.scriptableRenderer);
+
         public SceneTextures Request(Camera camera)
         {
             ScriptableRenderer renderer = camera.GetUniversalAdditionalCameraData().scriptableRenderer;
-            if (renderer == null) return default;
+            if (renderer == null || LimitOf(renderer) != RendererLimit.None) return default;
             renderer.EnqueuePass(request);
             return new SceneTextures(SceneColourSource.OpaqueTexture, true);
         }
@@ -22,6 +25,26 @@ namespace SphFluid
         // A renderer forgets its passes after each camera.
         public void Release()
         {
+        }
+
+        private static RendererLimit LimitOf(ScriptableRenderer renderer)
+        {
+            // No public class, and in URP 17 of an assembly of its own.
+            if (!(renderer is UniversalRenderer))
+            {
+                return renderer?.GetType().Name == "Renderer2D" ? RendererLimit.TwoDimensional : RendererLimit.None;
+            }
+#if UNITY_6000_5_OR_NEWER && !PLATFORM_WEBGL // where URP leaves the mode off
+            UniversalRenderPipelineAsset asset = UniversalRenderPipeline.asset;
+            for (int i = 0; i < asset.renderers.Length; i++)
+            {
+                if (asset.renderers[i] == renderer && asset.rendererDataList[i] is UniversalRendererData data && data.tileOnlyMode)
+                {
+                    return RendererLimit.TileOnly;
+                }
+            }
+#endif
+            return RendererLimit.None;
         }
 
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]

@@ -16,6 +16,8 @@ namespace SphFluid
         /// <summary>Cameras that are served; destroyed ones are forgotten with the next new one.</summary>
         public int Count => cameras.Count;
 
+        public RendererLimit Limit => RendererLimit.None;
+
         public SceneTextures Request(Camera camera)
         {
             if (!cameras.ContainsKey(camera)) Attach(camera);

@@ -33,9 +33,25 @@ namespace SphFluid
         public Vector4 ToVector() => new Vector4((float)Colour, Depth ? 1f : 0f, 0f, 0f);
     }
 
+    /// <summary>Why a renderer hands out no picture of the scene.</summary>
+    internal enum RendererLimit
+    {
+        /// <summary>It does.</summary>
+        None,
+
+        /// <summary>The Universal Renderer in Tile-Only Mode: colour and depth stay on the chip.</summary>
+        TileOnly,
+
+        /// <summary>The 2D Renderer.</summary>
+        TwoDimensional,
+    }
+
     /// <summary>Asks a render pipeline for the scene's colour and depth before a camera draws.</summary>
     internal interface ISceneTextureSource
     {
+        /// <summary>What the renderer of cameras that choose none of their own cannot do.</summary>
+        RendererLimit Limit { get; }
+
         /// <summary>Called when a camera begins to draw.</summary>
         SceneTextures Request(Camera camera);
 
