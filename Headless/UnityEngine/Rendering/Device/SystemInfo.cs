@@ -59,7 +59,7 @@ public sealed partial class SystemInfo
     public static bool supportsRayTracing => false;
     public static bool supportsSetConstantBuffer => true;
     public static bool supportsSeparatedRenderTargetsBlend => true;
-    public static int supportsMultisampledTextures => 1;
+    public static int supportsMultisampledTextures => 0;
     public static bool supportsMotionVectors => false;
     public static NPOTSupport npotSupport => NPOTSupport.Full;
 
