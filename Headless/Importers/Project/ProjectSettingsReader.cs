@@ -11,23 +11,22 @@ internal static class ProjectSettingsReader
     /// <param name="report">Takes what the stand-in does otherwise than the project asks.</param>
     public static void Apply(string projectRoot, Action<string> report)
     {
-        string folder = Path.Combine(projectRoot, "ProjectSettings");
-        if (Read(folder, "ProjectSettings.asset") is { } player)
+        if (Read(projectRoot, "ProjectSettings.asset") is { } player)
         {
             EngineState.ProductName = player.Text("productName", EngineState.ProductName);
             EngineState.CompanyName = player.Text("companyName", EngineState.CompanyName);
             if (player.Int("m_ActiveColorSpace", 1) == 0)
                 report("ProjectSettings: the colour space is Gamma; pictures are made in Linear here. Set Player > Other Settings > Color Space to Linear for the same look.");
         }
-        EngineState.EnterPlayModeOptions = Read(folder, "EditorSettings.asset") is { } editor && editor.Bool("m_EnterPlayModeOptionsEnabled")
+        EngineState.EnterPlayModeOptions = Read(projectRoot, "EditorSettings.asset") is { } editor && editor.Bool("m_EnterPlayModeOptionsEnabled")
             ? editor.Int("m_EnterPlayModeOptions", 0) : null;
-        if (Read(folder, "TimeManager.asset") is { } time)
+        if (Read(projectRoot, "TimeManager.asset") is { } time)
         {
             Time.fixedDeltaTime = Within(FixedTimestep(time), "Fixed Timestep", 0.02f, 0.0001f, 10);
             Time.maximumDeltaTime = Within(time, "Maximum Allowed Timestep", 1f / 3, 0.0001f, 1000);
             Time.timeScale = Within(time, "m_TimeScale", 1, 0, 100);
         }
-        if (Read(folder, "TagManager.asset") is { } tags)
+        if (Read(projectRoot, "TagManager.asset") is { } tags)
         {
             foreach (string tag in tags.Texts("tags")) TagManager.AddTag(tag);
             foreach (var (layer, i) in tags.Texts("layers").Take(32).Select((layer, i) => (layer, i))) TagManager.SetLayer(i, layer);
@@ -36,12 +35,13 @@ internal static class ProjectSettingsReader
 
     /// <summary>Enabled scenes of the build list, in order.</summary>
     public static IReadOnlyList<string> ScenesInBuild(string projectRoot) =>
-        Read(Path.Combine(projectRoot, "ProjectSettings"), "EditorBuildSettings.asset")?.Maps("m_Scenes")
+        Read(projectRoot, "EditorBuildSettings.asset")?.Maps("m_Scenes")
             .Where(s => s.Bool("enabled")).Select(s => s.Text("path")).ToArray() ?? [];
 
-    private static YamlMap? Read(string folder, string file)
+    /// <summary>The settings of one file; null where it is missing.</summary>
+    public static YamlMap? Read(string projectRoot, string file)
     {
-        string path = Path.Combine(folder, file);
+        string path = Path.Combine(projectRoot, "ProjectSettings", file);
         return File.Exists(path) ? UnityYaml.ReadDocuments(path).FirstOrDefault()?.Body : null;
     }
 
