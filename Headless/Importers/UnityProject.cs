@@ -36,7 +36,7 @@ public sealed class UnityProject
         EngineHooks.LoadResource = database.LoadResource;
         EngineHooks.LoadAllResources = (path, type) => [.. database.LoadAllResources(path, type, exact: false)];
         ShaderLibrary.Resolver = assets.FindShader;
-        RenderPipelineReader.Apply(index.Root, assets);
+        PipelineSettings.Apply(index.Root, assets);
         foreach (string name in index.MissingPackages)
             report($"Packages/manifest.json asks for the package '{OneLine.Value(name)}', which is neither in Packages nor in Library/PackageCache; its assets and scripts are missing. Copy its folder to Packages/{OneLine.Value(name)}, or open the project once in the Editor.");
         if (index.MissingMetas is [var first, ..])

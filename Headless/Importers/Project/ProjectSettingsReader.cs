@@ -38,7 +38,7 @@ internal static class ProjectSettingsReader
         Read(projectRoot, "EditorBuildSettings.asset")?.Maps("m_Scenes")
             .Where(s => s.Bool("enabled")).Select(s => s.Text("path")).ToArray() ?? [];
 
-    /// <summary>A file of the folder; null where it is missing.</summary>
+    /// <summary>The settings of one file; null where it is missing.</summary>
     public static YamlMap? Read(string projectRoot, string file)
     {
         string path = Path.Combine(projectRoot, "ProjectSettings", file);

@@ -81,7 +81,7 @@ internal sealed class FuzzProject : IDisposable
         else if (asset.StartsWith("ProjectSettings/", StringComparison.Ordinal))
         {
             ProjectSettingsReader.ScenesInBuild(Root);
-            RenderPipelineReader.Apply(Root, assets);
+            PipelineSettings.Apply(Root, assets);
         }
         else if (assets.Index.GuidOf(asset) is not null)
         {

@@ -26,7 +26,7 @@ static class PlaySession
         RuntimeInitialize.Run(RuntimeInitializeLoadType.AfterSceneLoad);
     }
 
-    /// <summary>OnApplicationQuit and Application.quitting, then OnDisable and OnDestroy for everything.</summary>
+    /// <summary>OnApplicationQuit and Application.quitting, then OnDisable and OnDestroy for everything; the render pipeline is the last to go.</summary>
     public static void End()
     {
         if (!EngineState.IsPlaying) return;
@@ -36,6 +36,7 @@ static class PlaySession
         SceneTable.DestroyAll();
         Destruction.Clear();
         PlayableGraphs.Clear();
+        UnityEngine.Rendering.RenderPipelineManager.Reset();
         EngineState.IsPlaying = false;
     }
 }

@@ -1,8 +1,11 @@
+using System;
+using UnityEngine.Rendering;
+
 namespace UnityEngine;
 
 public sealed class QualitySettings : Object
 {
-    private static Rendering.RenderPipelineAsset? pipelineAsset;
+    private static Lazy<RenderPipelineAsset?> pipelineAsset = new((RenderPipelineAsset?)null);
 
     private QualitySettings()
     {
@@ -25,14 +28,17 @@ public sealed class QualitySettings : Object
     public static bool realtimeReflectionProbes { get; set; } = true;
 
     /// <summary>Takes the place of GraphicsSettings.defaultRenderPipeline; null for that one.</summary>
-    public static Rendering.RenderPipelineAsset? renderPipeline
+    public static RenderPipelineAsset? renderPipeline
     {
-        get => pipelineAsset != null ? pipelineAsset : null;
-        set => Rendering.RenderPipelineManager.Change(() => pipelineAsset = value);
+        get => pipelineAsset.Value is { } asset && asset != null ? asset : null;
+        set => RenderPipelineManager.Change(() => pipelineAsset = new(value));
     }
 
     public static string[] names => ["Ultra"];
     public static int count => 1;
 
     public static int GetQualityLevel() => 0;
+
+    /// <summary>The asset of the project's quality level, loaded when it is first asked for.</summary>
+    internal static void Open(Func<RenderPipelineAsset?> asset) => pipelineAsset = new(asset);
 }

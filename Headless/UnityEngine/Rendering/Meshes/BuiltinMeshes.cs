@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using UnityEngine;
+using UnityEngine.Rendering;
 
 namespace Headless.Engine;
 
@@ -25,7 +26,8 @@ internal static class BuiltinMeshes
     public static void FillPrimitive(GameObject target, PrimitiveType type)
     {
         target.AddComponent<MeshFilter>().sharedMesh = Get(type);
-        target.AddComponent<MeshRenderer>().sharedMaterial = BuiltinResources.DefaultMaterial;
+        target.AddComponent<MeshRenderer>().sharedMaterial =
+            GraphicsSettings.currentRenderPipeline?.defaultMaterial is { } own && own != null ? own : BuiltinResources.DefaultMaterial;
     }
 
     public static void Reset() => Meshes.Clear();

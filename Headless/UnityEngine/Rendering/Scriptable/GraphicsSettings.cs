@@ -1,8 +1,10 @@
+using System;
+
 namespace UnityEngine.Rendering;
 
 public sealed class GraphicsSettings : Object
 {
-    private static RenderPipelineAsset? defaultAsset;
+    private static Lazy<RenderPipelineAsset?> defaultAsset = new((RenderPipelineAsset?)null);
 
     private GraphicsSettings()
     {
@@ -14,8 +16,8 @@ public sealed class GraphicsSettings : Object
 
     public static RenderPipelineAsset? defaultRenderPipeline
     {
-        get => defaultAsset != null ? defaultAsset : null;
-        set => RenderPipelineManager.Change(() => defaultAsset = value);
+        get => defaultAsset.Value is { } asset && asset != null ? asset : null;
+        set => RenderPipelineManager.Change(() => defaultAsset = new(value));
     }
 
     /// <summary>On: a light's color is made linear before the intensity multiplies it, and color temperatures count.</summary>
@@ -23,4 +25,7 @@ public sealed class GraphicsSettings : Object
 
     public static bool lightsUseColorTemperature { get; set; }
     public static bool useScriptableRenderPipelineBatching { get; set; }
+
+    /// <summary>The asset that the project's settings name, loaded when it is first asked for.</summary>
+    internal static void Open(Func<RenderPipelineAsset?> asset) => defaultAsset = new(asset);
 }

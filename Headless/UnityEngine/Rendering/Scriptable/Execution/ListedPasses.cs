@@ -57,21 +57,21 @@ internal sealed class ListedPasses
         {
             foreach (PassProgram pass in Numbered(other.Usable.Programs, drawing.overrideMaterialPassIndex))
             {
-                yield return (other, other.Usable.Programs, pass);
+                yield return (other, other.shader.Programs, pass);
             }
         }
         else if (drawing.overrideShader is { } shader && shader != null)
         {
             foreach (PassProgram pass in Numbered(shader.Usable.Programs, drawing.overrideShaderPassIndex))
             {
-                yield return (material, shader.Usable.Programs, pass);
+                yield return (material, shader.Programs, pass);
             }
         }
         else
         {
             foreach (PassProgram pass in named)
             {
-                yield return (material, own, pass);
+                yield return (material, material.shader.Programs, pass);
             }
         }
     }

@@ -8,7 +8,7 @@ namespace Headless.Engine;
 /// <summary>The render state of a renderer list by a tag of the shader or of the pass.</summary>
 internal sealed class StateOverrides
 {
-    private static bool stencilNamed;
+    private static readonly HashSet<string> Named = [];
 
     private readonly List<(string Value, RenderStateBlock Block)> blocks = [];
     private readonly string tag;
@@ -29,7 +29,7 @@ internal sealed class StateOverrides
         }
     }
 
-    public static void Reset() => stencilNamed = false;
+    public static void Reset() => Named.Clear();
 
     /// <summary>Of the first value that fits; no value fits everything.</summary>
     public RenderStateBlock? For(Material material, PassProgram pass)
@@ -53,10 +53,22 @@ internal sealed class StateOverrides
 
     private static void Check(in RenderStateBlock block)
     {
-        if ((block.mask & RenderStateMask.Stencil) != 0 && block.stencilState.enabled && !stencilNamed)
+        if ((block.mask & RenderStateMask.Stencil) != 0 && block.stencilState.enabled)
         {
-            stencilNamed = true;
-            Debug.LogWarning("RenderStateBlock: its stencil state has no effect, for render targets have no stencil here.");
+            Refuse("its stencil state has no effect, for render targets have no stencil here");
+        }
+
+        if ((block.mask & RenderStateMask.Blend) != 0 && block.blendState.separateMRTBlendStates)
+        {
+            Refuse("separateMRTBlendStates has no effect: all render targets are blended as the first");
+        }
+    }
+
+    private static void Refuse(string what)
+    {
+        if (Named.Add(what))
+        {
+            Debug.LogWarning($"RenderStateBlock: {what}.");
         }
     }
 }
