@@ -78,7 +78,6 @@ public sealed class CullingResultsTests : ScriptableFixture
         (GraphicsSettings.lightsUseColorTemperature, sun.useColorTemperature, sun.colorTemperature) = (true, true, 3000f);
         Color warm = Mathf.CorrelatedColorTemperatureToRGB(3000f);
         Culled((culled, _) => Assert.That(culled.visibleLights[0].finalColor.b, Is.EqualTo(0.21404f * 2f * warm.b).Within(1e-3f)));
-        GraphicsSettings.lightsUseColorTemperature = false;
     }
 
     [Test]

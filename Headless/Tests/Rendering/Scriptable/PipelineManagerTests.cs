@@ -65,7 +65,8 @@ public sealed class PipelineManagerTests : ScriptableFixture
         GraphicsSettings.defaultRenderPipeline = Asset("second", () => new OtherPipeline((_, _) => { }));
         Frame();
         Assert.That(log.Take(5), Is.EqualTo(new[] { "asset first -> second", "ended", "dispose", "created", "type" }));
-        Assert.That((first.disposed, RenderPipelineManager.currentPipeline), Is.EqualTo((true, RenderPipelineManager.currentPipeline as OtherPipeline)));
+        Assert.That(first.disposed, Is.True);
+        Assert.That(RenderPipelineManager.currentPipeline, Is.TypeOf<OtherPipeline>());
         log.Clear();
         GraphicsSettings.defaultRenderPipeline = null;
         Frame();
@@ -82,7 +83,8 @@ public sealed class PipelineManagerTests : ScriptableFixture
         RenderPipeline first = RenderPipelineManager.currentPipeline!;
         asset.Change();
         Frame();
-        Assert.That((first.disposed, RenderPipelineManager.currentPipeline), Is.Not.EqualTo((true, first)));
+        Assert.That(first.disposed, Is.True);
+        Assert.That(RenderPipelineManager.currentPipeline, Is.Not.Null.And.Not.SameAs(first));
         Assert.That(log.Count(l => l == "created"), Is.EqualTo(2));
         Assert.That(log.Count(l => l == "type"), Is.EqualTo(1));
     }

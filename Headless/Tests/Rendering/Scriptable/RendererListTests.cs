@@ -207,11 +207,24 @@ public sealed class RendererListTests : ScriptableFixture
     [Test]
     public void SubShadersAreChosenAgainForAnotherPipeline()
     {
-        const string two = """
+        const string program = """
+            HLSLPROGRAM
+            #pragma vertex Vertex
+            #pragma fragment Fragment
+            float4 Vertex(float4 position : POSITION) : SV_POSITION { return position; }
+            float4 Fragment() : SV_Target { return 1; }
+            ENDHLSL
+            """;
+        const string two = $$"""
             Shader "Test/Tagged"
             {
-                SubShader { Tags { "RenderPipeline" = "One" "Queue" = "Transparent" } Pass { Tags { "LightMode" = "A" } } Pass { } }
-                SubShader { Pass { } }
+                SubShader
+                {
+                    Tags { "RenderPipeline" = "One" "Queue" = "Transparent" }
+                    Pass { {{program}} }
+                    Pass { Tags { "LightMode" = "A" } {{program}} }
+                }
+                SubShader { Pass { {{program}} } }
             }
             """;
         Camera(new Vector3(0f, 0f, -5f), Vector3.zero);

@@ -48,7 +48,8 @@ public abstract class ScriptableFixture : SceneFixture
     {
         GraphicsSettings.defaultRenderPipeline = null;
         QualitySettings.renderPipeline = null;
-        GraphicsSettings.lightsUseLinearIntensity = false;
+        (GraphicsSettings.lightsUseLinearIntensity, GraphicsSettings.lightsUseColorTemperature) = (false, false);
+        QualitySettings.shadowDistance = 150f;
     }
 
     protected static TestPipelineAsset Use(Action<ScriptableRenderContext, Camera[]> render)

@@ -37,10 +37,10 @@ internal static class PipelineRunner
         finally
         {
             commands.Dispose();
-            (running, ViewState.FollowsTarget) = (false, true);
             (Drawer.InvertCulling, Drawer.DepthBias) = (false, default);
             TargetState.Set(target);
             ViewState.Set(view, projection);
+            (running, ViewState.FollowsTarget) = (false, true);
         }
     }
 
