@@ -3,7 +3,7 @@ using System.Text.RegularExpressions;
 namespace Headless.Checks.Form;
 
 /// <summary>Every asset and folder that Unity imports has a .meta with a unique GUID, no .meta is left over, and no
-/// scene, prefab, material or asset refers to a GUID that nothing has.</summary>
+/// scene, prefab, material, asset or project setting refers to a GUID that nothing has.</summary>
 internal sealed partial class MetaFileCheck(ProjectPackages packages)
 {
     private static readonly string[] builtInGuids = ["0000000000000000e000000000000000", "0000000000000000f000000000000000", "00000000000000000000000000000000"];
@@ -54,12 +54,14 @@ internal sealed partial class MetaFileCheck(ProjectPackages packages)
     private int CheckReferences(Dictionary<string, string> owners, CheckReport report)
     {
         var count = 0;
-        foreach (var file in owners.Values.Concat(owners.Values.Select(v => v + ".meta")).Where(f => referencing.Contains(Path.GetExtension(f)) && File.Exists(f)))
+        var settings = Path.Combine(packages.Project, "ProjectSettings");
+        var files = owners.Values.Concat(owners.Values.Select(v => v + ".meta")).Concat(Directory.Exists(settings) ? Directory.GetFiles(settings) : []);
+        foreach (var file in files.Where(f => referencing.Contains(Path.GetExtension(f)) && File.Exists(f)))
             foreach (Match match in Reference().Matches(File.ReadAllText(file)))
             {
                 count++;
                 var guid = match.Groups[1].Value;
-                if (!owners.ContainsKey(guid) && !builtInGuids.Contains(guid)) report.Findings.Add($"{Shown(file)} refers to {guid}, which no asset has");
+                if (!owners.ContainsKey(guid) && !builtInGuids.Contains(guid) && !UnityPackageAssets.Has(guid)) report.Findings.Add($"{Shown(file)} refers to {guid}, which no asset has");
             }
         return count;
     }

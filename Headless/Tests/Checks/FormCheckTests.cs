@@ -56,6 +56,19 @@ public sealed class FormCheckTests
         Assert.That(Metas(), Has.One.Contains("11111111111111111111111111111111"));
     }
 
+    // Unity's own script of Universal's asset, and an asset that is nowhere.
+    [Test]
+    public void SettingsReferToAssetsOfTheProjectAndOfUnitysPackages()
+    {
+        package.Write("../../ProjectSettings/GraphicsSettings.asset", $$"""
+              m_CustomRenderPipeline: {fileID: 11400000, guid: {{Guid}}, type: 2}
+              m_Script: {fileID: 11500000, guid: bf2edee5c58d82540a51f03df9d42094, type: 3}
+              m_Shader: {fileID: 4800000, guid: 11111111111111111111111111111111, type: 3}
+            """);
+
+        Assert.That(Metas(), Is.EqualTo(new[] { "ProjectSettings/GraphicsSettings.asset refers to 11111111111111111111111111111111, which no asset has" }));
+    }
+
     [Test]
     public void ManifestFaultsAreFound()
     {
