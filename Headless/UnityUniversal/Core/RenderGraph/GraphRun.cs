@@ -17,6 +17,7 @@ internal sealed class GraphRun(RenderGraph graph, in RenderGraphParameters param
         }
 
         Commands.BeginSample(pass.Name);
+        ClearElsewhere(pass);
         SetTargets(pass);
         pass.Function?.Invoke(this);
         foreach ((GraphTexture texture, int id) in pass.GlobalsAfter)
@@ -26,10 +27,6 @@ internal sealed class GraphRun(RenderGraph graph, in RenderGraphParameters param
         }
 
         Commands.EndSample(pass.Name);
-        foreach (GraphTexture texture in pass.Written)
-        {
-            texture.IsTouched = true;
-        }
     }
 
     /// <summary>Hands what was recorded so far to the context.</summary>
@@ -76,6 +73,20 @@ internal sealed class GraphRun(RenderGraph graph, in RenderGraphParameters param
         foreach (GraphTexture texture in pass.Written)
         {
             texture.IsTouched = true;
+        }
+    }
+
+    /// <summary>What a pass is the first to use otherwise than as an attachment is cleared before it.</summary>
+    private void ClearElsewhere(GraphPass pass)
+    {
+        foreach (GraphTexture texture in pass.Read.Concat(pass.Written).Distinct().Where(Clears))
+        {
+            if (!pass.Colors.Exists(c => c.Texture == texture) && pass.Depth?.Texture != texture)
+            {
+                Commands.SetRenderTarget(texture.Handle!);
+                Commands.ClearRenderTarget(texture.Description.IsDepth, !texture.Description.IsDepth, texture.Description.clearColor);
+                texture.IsTouched = true;
+            }
         }
     }
 

@@ -26,9 +26,7 @@ internal static class CameraProperties
     {
         using IUnsafeRenderGraphBuilder builder = graph.AddUnsafePass("Setup Camera Properties", out Data data);
         data.Camera = frame.Get<UniversalCameraData>();
-        TextureHandle target = frame.Get<UniversalResourceData>().activeColorTexture;
-        data.Target = target;
-        builder.UseTexture(target, AccessFlags.Write);
+        data.Target = frame.Get<UniversalResourceData>().activeColorTexture;
         builder.AllowPassCulling(false);
         builder.AllowGlobalStateModification(true);
         builder.SetRenderFunc(static (Data d, UnsafeGraphContext context) => Set(context.cmd, d));
