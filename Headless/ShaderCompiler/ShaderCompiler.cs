@@ -28,9 +28,6 @@ public sealed class ShaderCompiler
     public string CacheDirectory { get; }
     public IncludeResolver Includes { get; }
 
-    /// <summary>Macros for every stage, such as UNITY_COLORSPACE_GAMMA in a project of that colour space.</summary>
-    public IReadOnlyList<KeyValuePair<string, string>> GlobalDefines { get; init; } = [];
-
     /// <summary>Compiles the kernels in the place of glslang, which still makes passes and what this cannot translate.</summary>
     public Direct3DFrontEnd? Direct3D { get; init; }
 
@@ -116,7 +113,7 @@ public sealed class ShaderCompiler
 
     private StageJob KernelJob(ComputeSource source, KernelDeclaration kernel, IReadOnlyList<string> keywords)
     {
-        string text = StageText.Build(source.Expanded, ShaderStage.Compute, ComputeTarget, [.. GlobalDefines, .. kernel.Defines], keywords);
+        string text = StageText.Build(source.Expanded, ShaderStage.Compute, ComputeTarget, kernel.Defines, keywords);
         (text, string name) = KernelNames.Separate(text, kernel.Name);
         return new StageJob(source.Expanded, ShaderStage.Compute, kernel.Name, text, $"kernel '{kernel.Name}'") { SourceEntryPoint = name };
     }
@@ -136,7 +133,7 @@ public sealed class ShaderCompiler
 
         void Add(ShaderStage stage, string entry)
         {
-            string text = StageText.Build(program.Expanded, stage, program.Target, [.. GlobalDefines, .. pass.Defines], keywords);
+            string text = StageText.Build(program.Expanded, stage, program.TargetOf(keywords), pass.Defines, keywords);
             jobs.Add(new StageJob(program.Expanded, stage, entry, text, $"{owner}, {stage} stage '{entry}'"));
         }
     }
@@ -197,7 +194,7 @@ public sealed class ShaderCompiler
             foreach (StageJob job in jobs)
             {
                 Activity = $"compiling {job.Owner} ({_compilations + 1})";
-                byte[] spirV = _compiler.Compile(job);
+                byte[] spirV = Compile(job);
                 compiled.Add((SourceNames.MayHaveRawBuffers(job.Text) ? job with { Declarations = _compiler.Preprocess(job) } : job, spirV));
                 Interlocked.Increment(ref _compilations);
             }
@@ -209,5 +206,26 @@ public sealed class ShaderCompiler
         {
             Activity = null;
         }
+    }
+
+    /// <summary>What FXC takes and glslang does not is mended in the text behind the preprocessor, where glslang refuses the text.</summary>
+    private byte[] Compile(StageJob job)
+    {
+        try
+        {
+            return _compiler.Compile(job);
+        }
+        catch (ShaderCompileException) when (Mended(job) is { } mended)
+        {
+            return _compiler.Compile(mended);
+        }
+    }
+
+    /// <summary>Null where there is nothing to mend.</summary>
+    private StageJob? Mended(StageJob job)
+    {
+        string text = _compiler.Preprocess(job);
+        string mended = HalfOverloads.Drop(StraySemicolons.Remove(text));
+        return mended == text ? null : job with { Text = mended };
     }
 }
