@@ -115,7 +115,11 @@ public sealed class ShaderCompiler
     {
         string text = StageText.Build(source.Expanded, ShaderStage.Compute, ComputeTarget, kernel.Defines, keywords);
         (text, string name) = KernelNames.Separate(text, kernel.Name);
-        return new StageJob(source.Expanded, ShaderStage.Compute, kernel.Name, text, $"kernel '{kernel.Name}'") { SourceEntryPoint = name };
+        return new StageJob(source.Expanded, ShaderStage.Compute, kernel.Name, text, $"kernel '{kernel.Name}'")
+        {
+            SourceEntryPoint = name,
+            Plain = () => StageText.Plain(source.Expanded, ShaderStage.Compute, ComputeTarget, kernel.Defines, keywords),
+        };
     }
 
     private List<StageJob> PassJobs(ShaderPass pass, IReadOnlyList<string> keywords)
@@ -133,8 +137,12 @@ public sealed class ShaderCompiler
 
         void Add(ShaderStage stage, string entry)
         {
-            string text = StageText.Build(program.Expanded, stage, program.TargetOf(keywords), pass.Defines, keywords);
-            jobs.Add(new StageJob(program.Expanded, stage, entry, text, $"{owner}, {stage} stage '{entry}'"));
+            int target = program.TargetOf(keywords);
+            string text = StageText.Build(program.Expanded, stage, target, pass.Defines, keywords);
+            jobs.Add(new StageJob(program.Expanded, stage, entry, text, $"{owner}, {stage} stage '{entry}'")
+            {
+                Plain = () => StageText.Plain(program.Expanded, stage, target, pass.Defines, keywords),
+            });
         }
     }
 
@@ -208,24 +216,18 @@ public sealed class ShaderCompiler
         }
     }
 
-    /// <summary>What FXC takes and glslang does not is mended in the text behind the preprocessor, where glslang refuses the text.</summary>
+    /// <summary>Where glslang refuses the text, it is preprocessed first, so that FXC's rules are written out behind macros too.</summary>
     private byte[] Compile(StageJob job)
     {
         try
         {
             return _compiler.Compile(job);
         }
-        catch (ShaderCompileException) when (Mended(job) is { } mended)
+        catch (ShaderCompileException e) when (e.Line > 0 && job.Plain is { } plain)
         {
-            return _compiler.Compile(mended);
+            string text = FxcRules.WriteAll(_compiler.Preprocess(job with { Text = plain() }));
+            (text, string name) = job.Stage == ShaderStage.Compute ? KernelNames.Separate(text, job.EntryPoint) : (text, job.EntryPoint);
+            return _compiler.Compile(job with { Text = text, SourceEntryPoint = name });
         }
-    }
-
-    /// <summary>Null where there is nothing to mend.</summary>
-    private StageJob? Mended(StageJob job)
-    {
-        string text = _compiler.Preprocess(job);
-        string mended = HalfOverloads.Drop(StraySemicolons.Remove(text));
-        return mended == text ? null : job with { Text = mended };
     }
 }

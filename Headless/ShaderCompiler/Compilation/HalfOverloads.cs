@@ -7,7 +7,8 @@ namespace Headless.Shaders;
 /// </summary>
 /// <remarks>
 /// Direct3D 11 on a desktop works out half and the min16 types with 32 bits, and glslang takes them for float and int, so that such
-/// functions have one signature. The one that is written with the full types is kept, else the first.
+/// functions have one signature. The one that is written with the full types is kept, else the first: FXC takes it for min16float
+/// too, and tells half from float, which here does not.
 /// </remarks>
 internal static partial class HalfOverloads
 {

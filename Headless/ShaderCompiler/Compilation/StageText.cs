@@ -1,5 +1,3 @@
-using System.Text;
-
 namespace Headless.Shaders;
 
 /// <summary>Builds the text of a stage: what Unity defines for Direct3D 11, keywords, then the source.</summary>
@@ -22,9 +20,19 @@ internal static class StageText
 
     public static string Build(
         ExpandedSource source, ShaderStage stage, int target, IEnumerable<KeyValuePair<string, string>> defines,
+        IReadOnlyCollection<string> keywords) =>
+        Defines(source, stage, target, defines, keywords) + FxcRules.WriteCalls(source.Hlsl);
+
+    /// <summary>The same as it is written, without FXC's rules.</summary>
+    public static string Plain(
+        ExpandedSource source, ShaderStage stage, int target, IEnumerable<KeyValuePair<string, string>> defines,
+        IReadOnlyCollection<string> keywords) =>
+        Defines(source, stage, target, defines, keywords) + source.Text;
+
+    private static string Defines(
+        ExpandedSource source, ShaderStage stage, int target, IEnumerable<KeyValuePair<string, string>> defines,
         IReadOnlyCollection<string> keywords)
     {
-        StringBuilder text = new();
         IEnumerable<KeyValuePair<string, string>> all =
         [
             .. Constants,
@@ -34,11 +42,6 @@ internal static class StageText
             .. keywords.Select(k => KeyValuePair.Create(k, "1")),
             .. source.BranchKeywords.Except(keywords).Select(k => KeyValuePair.Create(k, "0")),
         ];
-        foreach ((string name, string value) in all)
-        {
-            text.Append("#define ").Append(name).Append(' ').Append(value).Append('\n');
-        }
-        text.Append(MatrixSwizzles.Rewrite(LegacySamplers.Rewrite(source.Hlsl)));
-        return text.ToString();
+        return string.Concat(all.Select(d => $"#define {d.Key} {d.Value}\n"));
     }
 }

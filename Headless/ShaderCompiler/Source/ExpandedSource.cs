@@ -18,7 +18,7 @@ internal sealed record ExpandedSource(string Text, IReadOnlyList<string> Files, 
         [.. Pragmas.SelectMany(p => KeywordPragmas.Read(p) ?? []).Where(s => s.Branch).SelectMany(s => s.Keywords).Where(k => k.Length > 0).Distinct()];
 
     /// <summary>Text with FXC's rules for globals and loop variables written out.</summary>
-    public string Hlsl => _hlsl ??= GlobalInitializers.Rewrite(LoopScopes.Rewrite(Text));
+    public string Hlsl => _hlsl ??= FxcRules.WriteDeclarations(Text);
 
     public string FileName(int index) => index >= 1 && index <= Files.Count ? Files[index - 1] : Files[0];
 }
