@@ -2,8 +2,8 @@ using System.Globalization;
 
 namespace Headless.Shaders.Preprocessing;
 
-/// <summary>Works out the condition of an #if, where it does not depend on the variant.</summary>
-/// <remarks>The arithmetic is glslang's, 32 bits with a sign. What glslang would refuse is not known: it says so itself.</remarks>
+/// <summary>Works out when the condition of an #if holds.</summary>
+/// <remarks>The arithmetic is glslang's, 32 bits with a sign. What glslang would refuse is unknown: it says so itself.</remarks>
 internal sealed class Condition
 {
     private const int MostNested = 200;
@@ -11,88 +11,102 @@ internal sealed class Condition
     private static readonly string[][] Levels =
         [["||"], ["&&"], ["|"], ["^"], ["&"], ["==", "!="], ["<", ">", "<=", ">="], ["<<", ">>"], ["+", "-"], ["*", "/", "%"]];
 
-    private readonly List<string> _tokens;
+    private readonly List<MacroExpansion.Token> _tokens;
+    private readonly Decisions _decisions;
     private int _at;
     private int _depth;
     private bool _malformed;
 
-    private Condition(List<string> tokens) => _tokens = tokens;
+    private Condition(List<MacroExpansion.Token> tokens, Decisions decisions) => (_tokens, _decisions) = (tokens, decisions);
 
-    /// <summary>Null where it depends on the variant or is malformed.</summary>
-    /// <param name="tokens">Without macros; <see cref="MacroExpansion.Unknown"/> is a number that is not known.</param>
-    public static bool? IsTrue(List<string> tokens)
+    /// <summary>When it holds; null where that cannot be told.</summary>
+    /// <param name="tokens">Without macros.</param>
+    public static int? IsTrue(List<MacroExpansion.Token> tokens, Decisions decisions)
     {
-        Condition condition = new(tokens);
-        int? value = condition.Binary(0);
-        return condition._malformed || condition._at != tokens.Count ? null : value is { } known ? known != 0 : null;
+        Condition condition = new(tokens, decisions);
+        Cases value = condition.Binary(0);
+        return condition._malformed || condition._at != tokens.Count || !value.IsKnown ? null : value.IsTrue(decisions);
     }
 
-    private string Peek => _at < _tokens.Count ? _tokens[_at] : "";
+    private string Peek => _at < _tokens.Count ? _tokens[_at].Text : "";
 
-    private int? Binary(int level)
+    private Cases Binary(int level)
     {
         if (level == Levels.Length) return Unary();
-        int? left = Binary(level + 1);
+        Cases left = Binary(level + 1);
         while (!_malformed && Levels[level].Contains(Peek))
         {
-            string sign = _tokens[_at++];
+            string sign = _tokens[_at++].Text;
             left = Result(sign, left, Binary(level + 1));
         }
         return left;
     }
 
-    private int? Unary()
+    private Cases Unary()
     {
         if (_malformed || _depth >= MostNested) return Malformed();
         _depth++;
-        int? value = Operand();
+        Cases value = Operand();
         _depth--;
         return value;
     }
 
-    private int? Operand()
+    private Cases Operand()
     {
         string token = Peek;
+        if (_at < _tokens.Count && _tokens[_at].Cases is { } cases)
+        {
+            _at++;
+            return cases;
+        }
         _at++;
         switch (token)
         {
             case "!":
-                return Unary() is { } truth ? (truth == 0 ? 1 : 0) : null;
+                return Unary().Map(_decisions, value => value == 0 ? 1 : 0);
             case "-":
-                return unchecked(-Unary());
+                return Unary().Map(_decisions, value => unchecked(-value));
             case "+":
                 return Unary();
             case "~":
-                return ~Unary();
+                return Unary().Map(_decisions, value => ~value);
             case "(":
-                int? inner = Binary(0);
+                Cases inner = Binary(0);
                 if (Peek != ")") return Malformed();
                 _at++;
                 return inner;
-            case MacroExpansion.Unknown:
-                return null;
             case "":
                 return Malformed();
         }
         // A name that nobody defined is 0.
-        if (DirectiveTokens.IsName(token)) return Peek == "(" ? Malformed() : 0;
-        return Number(token.TrimEnd('u', 'U')) ?? Malformed();
+        if (DirectiveTokens.IsName(token)) return Peek == "(" ? Malformed() : Cases.Of(0);
+        return Number(token) is { } number ? Cases.Of(number) : Malformed();
     }
 
-    private int? Malformed()
+    private Cases Malformed()
     {
         _malformed = true;
-        return null;
+        return Cases.Unknown;
     }
 
-    private static int? Result(string sign, int? left, int? right)
+    private Cases Result(string sign, Cases left, Cases right)
     {
-        if (sign == "&&" && (left is 0 || right is 0)) return 0;
-        if (sign == "||" && (left is not (null or 0) || right is not (null or 0))) return 1;
-        if (left is not { } a || right is not { } b) return null;
+        if (sign is "&&" or "||")
+        {
+            int stops = sign == "&&" ? 0 : 1;
+            if (Always(left, stops) || Always(right, stops)) return Cases.Of(stops);
+        }
+        return left.IsKnown && right.IsKnown ? left.With(_decisions, right, (a, b) => Result(sign, a, b)) : Cases.Unknown;
+    }
+
+    private static bool Always(Cases cases, int truth) => cases.IsKnown && cases.All.All(c => (c.Value != 0 ? 1 : 0) == truth);
+
+    private static int? Result(string sign, int a, int b)
+    {
         return sign switch
         {
-            "||" or "&&" => a != 0 && b != 0 ? 1 : 0,
+            "||" => a != 0 || b != 0 ? 1 : 0,
+            "&&" => a != 0 && b != 0 ? 1 : 0,
             "|" => a | b,
             "^" => a ^ b,
             "&" => a & b,
@@ -113,8 +127,10 @@ internal sealed class Condition
         };
     }
 
-    private static int? Number(string text)
+    /// <summary>Null where a text is no whole number.</summary>
+    public static int? Number(string written)
     {
+        string text = written.TrimEnd('u', 'U');
         if (text.StartsWith("0x", StringComparison.OrdinalIgnoreCase))
         {
             return uint.TryParse(text.AsSpan(2), NumberStyles.AllowHexSpecifier, CultureInfo.InvariantCulture, out uint hex) ? unchecked((int)hex) : null;

@@ -1,37 +1,20 @@
 namespace Headless.Shaders.Preprocessing;
 
-/// <summary>Follows #if, #ifdef, #ifndef, #elif, #else and #endif, and says whether a place is in a branch that may be taken.</summary>
-/// <param name="macros">Kept up to date for the branches.</param>
+/// <summary>Follows #if, #ifdef, #ifndef, #elif, #else and #endif, and says whether any variant comes to a place.</summary>
+/// <param name="macros">Whose place is kept up to date.</param>
 internal sealed class Conditionals(MacroTable macros)
 {
     private const int Budget = 1 << 24;
 
     private readonly MacroExpansion _expansion = new(macros, Budget);
-    private readonly Stack<Group> _groups = [];
+    private readonly Stack<(int Outside, int Others)> _groups = [];
+    private int _unknown;
 
-    private sealed class Group
-    {
-        /// <summary>Lies in a branch that is not taken.</summary>
-        public required bool Dead { get; init; }
+    /// <summary>Whether a variant comes here.</summary>
+    public bool Live => macros.Place != Decisions.Never;
 
-        /// <summary>The branch at hand may be taken.</summary>
-        public bool Live { get; set; }
-
-        /// <summary>Whether one of the branches so far is taken where none before it was.</summary>
-        public bool Taken { get; set; }
-
-        /// <summary>Whether which branch is taken depends on the variant.</summary>
-        public bool Merges { get; set; }
-
-        /// <summary>What follows of the branches so far not being taken.</summary>
-        public List<(string Name, bool Defined)> Otherwise { get; } = [];
-    }
-
-    /// <summary>Whether the place may be reached.</summary>
-    public bool Live => !_groups.TryPeek(out Group? group) || group.Live;
-
-    /// <summary>Whether the place may be reached or lies in another branch of a group that may be.</summary>
-    public bool InLiveGroup => !_groups.TryPeek(out Group? group) || !group.Dead;
+    /// <summary>Whether a variant comes here or to another branch of the group.</summary>
+    public bool InLiveGroup => !_groups.TryPeek(out (int Outside, int Others) group) || group.Outside != Decisions.Never;
 
     /// <summary>Takes a directive; false when it is none of these.</summary>
     public bool Take(string directive, string argument)
@@ -39,92 +22,42 @@ internal sealed class Conditionals(MacroTable macros)
         switch (directive)
         {
             case "if" or "ifdef" or "ifndef":
-                Group group = new() { Dead = !Live };
-                _groups.Push(group);
-                Branch(group, directive, argument);
+                _groups.Push((macros.Place, macros.Place));
+                Branch(directive, argument);
                 return true;
             case "elif" or "else":
-                if (_groups.TryPeek(out Group? open))
-                {
-                    EndBranch(open);
-                    Branch(open, directive, argument);
-                }
+                if (_groups.Count > 0) Branch(directive, argument);
                 return true;
             case "endif":
-                if (_groups.TryPop(out Group? ended)) End(ended);
+                if (_groups.TryPop(out (int Outside, int Others) ended)) macros.Place = ended.Outside;
                 return true;
             default:
                 return false;
         }
     }
 
-    private void Branch(Group group, string directive, string argument)
+    private void Branch(string directive, string argument)
     {
-        if (group.Dead || group.Taken) return;
-        if (group.Merges) Suppose(group.Otherwise);
-        bool? known = Truth(directive, argument);
-        (string Name, bool Defined)? test = Test(directive, argument);
-        if (known is null && !group.Merges)
-        {
-            macros.BeginGroup();
-            group.Merges = true;
-        }
-        group.Live = known is not false;
-        group.Taken = known is true;
-        if (group.Merges && !group.Live) macros.EndBranch(keep: false);
-        if (known is null && test is var (name, defined))
-        {
-            Suppose([(name, defined)]);
-            group.Otherwise.Add((name, !defined));
-        }
+        (int outside, int rest) = _groups.Pop();
+        macros.Place = rest;
+        int condition = rest == Decisions.Never ? Decisions.Never : Condition(directive, argument);
+        _groups.Push((outside, macros.Decisions.And(rest, macros.Decisions.Not(condition))));
+        macros.Place = macros.Decisions.And(rest, condition);
     }
 
-    private void EndBranch(Group group)
-    {
-        if (group.Live && group.Merges) macros.EndBranch(keep: true);
-        group.Live = false;
-    }
-
-    private void End(Group group)
-    {
-        EndBranch(group);
-        if (!group.Merges) return;
-        if (!group.Taken)
-        {
-            Suppose(group.Otherwise);
-            macros.EndBranch(keep: true);
-        }
-        macros.EndGroup();
-    }
-
-    private void Suppose(IEnumerable<(string, bool)> tests)
-    {
-        foreach ((string name, bool defined) in tests)
-        {
-            if (macros[name].Defined is null) macros[name] = defined ? Macro.DefinedSomehow : Macro.Undefined;
-        }
-    }
-
-    private bool? Truth(string directive, string argument)
-    {
-        if (directive == "else") return true;
-        if (Test(directive, argument) is var (name, defined)) return macros[name].Defined is { } known ? known == defined : null;
-        return directive is "if" or "elif" && _expansion.Expand(DirectiveTokens.Read(argument)) is { } tokens ? Condition.IsTrue(tokens) : null;
-    }
-
-    /// <summary>The name whose being defined is all that a condition asks for.</summary>
-    private static (string Name, bool Defined)? Test(string directive, string argument)
+    private int Condition(string directive, string argument)
     {
         string[] tokens = DirectiveTokens.Read(argument);
         return (directive, tokens) switch
         {
-            ("ifdef", [var name, ..]) when DirectiveTokens.IsName(name) => (name, true),
-            ("ifndef", [var name, ..]) when DirectiveTokens.IsName(name) => (name, false),
-            ("if" or "elif", ["defined", "(", var name, ")"]) => (name, true),
-            ("if" or "elif", ["defined", var name]) when DirectiveTokens.IsName(name) => (name, true),
-            ("if" or "elif", ["!", "defined", "(", var name, ")"]) => (name, false),
-            ("if" or "elif", ["!", "defined", var name]) when DirectiveTokens.IsName(name) => (name, false),
-            _ => null,
+            ("else", _) => Decisions.Always,
+            ("ifdef", [var name, ..]) => macros.IsDefined(name),
+            ("ifndef", [var name, ..]) => macros.Decisions.Not(macros.IsDefined(name)),
+            ("if" or "elif", _) when _expansion.Expand(tokens) is { } expanded => Preprocessing.Condition.IsTrue(expanded, macros.Decisions) ?? Unknown(expanded),
+            _ => Unknown([new(argument), new($"{++_unknown}")]),
         };
     }
+
+    // The same condition is the same variable, but for numbers that the expansion tells apart.
+    private int Unknown(List<MacroExpansion.Token> tokens) => macros.Decisions.Variable("#if " + string.Join(' ', tokens.Select(t => t.Text)));
 }

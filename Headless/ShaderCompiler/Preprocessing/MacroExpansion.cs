@@ -4,23 +4,24 @@ namespace Headless.Shaders.Preprocessing;
 /// <param name="budget">Tokens that may be read, for texts that were written to take long.</param>
 internal sealed class MacroExpansion(MacroTable macros, int budget)
 {
-    /// <summary>Stands for a value that depends on the variant.</summary>
-    public const string Unknown = "?";
-
     private const int MostNested = 100;
 
     private int _depth;
 
-    private readonly record struct Token(string Text, Hidden? Hidden);
+    /// <param name="Cases">For a number that differs from variant to variant; the text tells such numbers apart.</param>
+    internal readonly record struct Token(string Text, Cases? Cases = null)
+    {
+        public Hidden? Hidden { get; init; }
+    }
 
     /// <summary>Names that are not replaced again in what came from them.</summary>
-    private sealed record Hidden(string Name, Hidden? Next);
+    internal sealed record Hidden(string Name, Hidden? Next);
 
-    /// <summary>Tokens read so far.</summary>
-    public int Spent { get; private set; }
+    private int _spent;
+    private int _numbers;
 
-    /// <summary>Tokens without macros, <see cref="Unknown"/> among them; null where more cannot be said.</summary>
-    public List<string>? Expand(IReadOnlyList<string> tokens) => Expand(tokens.Select(t => new Token(t, null)))?.ConvertAll(t => t.Text);
+    /// <summary>Tokens without macros; null where they cannot be told.</summary>
+    public List<Token>? Expand(IReadOnlyList<string> tokens) => Expand(tokens.Select(t => new Token(t)));
 
     // Arguments of calls within arguments.
     private List<Token>? Expand(IEnumerable<Token> tokens)
@@ -38,7 +39,7 @@ internal sealed class MacroExpansion(MacroTable macros, int budget)
         Stack<Token> input = new(tokens.Reverse());
         while (input.TryPop(out Token token))
         {
-            if (++Spent > budget) return null;
+            if (++_spent > budget) return null;
             if (!DirectiveTokens.IsName(token.Text) || Contains(token.Hidden, token.Text))
             {
                 result.Add(token);
@@ -46,31 +47,46 @@ internal sealed class MacroExpansion(MacroTable macros, int budget)
             else if (token.Text == "defined")
             {
                 if (Operand(input) is not { } name) return null;
-                result.Add(new Token(macros[name].Defined switch { true => "1", false => "0", null => Unknown }, null));
-            }
-            else if (macros[token.Text] is { Defined: not false } macro)
-            {
-                bool called = input.TryPeek(out Token next) && next.Text == "(";
-                if (macro.Body is not { } body)
-                {
-                    if (called) return null;
-                    result.Add(new Token(Unknown, null));
-                }
-                else if (body.Parameters is not null && !called)
-                {
-                    result.Add(token);
-                }
-                else if (!Replace(body, token, input))
-                {
-                    return null;
-                }
+                result.Add(Number(name, Cases.Truth(macros.Decisions, macros.IsDefined(name))));
             }
             else
             {
-                result.Add(token);
+                bool called = input.TryPeek(out Token next) && next.Text == "(";
+                switch (macros.Only(token.Text))
+                {
+                    case { Defined: false }:
+                        result.Add(token);
+                        break;
+                    case { Body: { } body } when body.Parameters is not null && !called:
+                        result.Add(token);
+                        break;
+                    case { Body: { } body }:
+                        if (!Replace(body, token, input)) return null;
+                        break;
+                    default:
+                        if (called) return null;
+                        result.Add(Number(token.Text, Values(token.Text)));
+                        break;
+                }
             }
         }
         return result;
+    }
+
+    // Numbers of one text are the same number.
+    private Token Number(string name, Cases cases) => new(
+        "?" + (cases.IsKnown ? string.Join('|', cases.All) : macros.IsInitial(name) ? name : $"{++_numbers}"), cases);
+
+    // What a name stands for is a number in each case; one that is not defined is 0.
+    private Cases Values(string name)
+    {
+        List<(int, int)> values = [];
+        foreach ((int condition, Macro macro) in macros[name])
+        {
+            if ((macro.Defined ? macro.Body is { Parameters: null } body ? Condition.Number(body.Text) : null : 0) is not { } value) return Cases.Unknown;
+            values.Add((condition, value));
+        }
+        return Cases.Merge(macros.Decisions, values);
     }
 
     // defined X and defined(X)
@@ -84,11 +100,11 @@ internal sealed class MacroExpansion(MacroTable macros, int budget)
     private bool Replace(MacroBody body, Token name, Stack<Token> input)
     {
         Hidden hidden = new(name.Text, name.Hidden);
-        List<Token> replacement = [.. body.Tokens.Select(t => new Token(t, hidden))];
+        List<Token> replacement = [.. body.Tokens.Select(t => new Token(t) { Hidden = hidden })];
         if (body.Parameters is not null && (Arguments(body, input) is not { } arguments || !Substitute(replacement, arguments, hidden))) return false;
         if (!Paste(replacement)) return false;
-        Spent += replacement.Count;
-        if (Spent > budget) return false;
+        _spent += replacement.Count;
+        if (_spent > budget) return false;
         for (int i = replacement.Count - 1; i >= 0; i--) input.Push(replacement[i]);
         return true;
     }
@@ -99,7 +115,7 @@ internal sealed class MacroExpansion(MacroTable macros, int budget)
         int depth = 0;
         while (input.TryPop(out Token token))
         {
-            if (++Spent > budget) return null;
+            if (++_spent > budget) return null;
             depth += token.Text == "(" ? 1 : token.Text == ")" ? -1 : 0;
             if (depth == 0)
             {
@@ -132,8 +148,8 @@ internal sealed class MacroExpansion(MacroTable macros, int budget)
             List<Token>? put = pasted ? argument : Expand(argument);
             if (put is null) return false;
             result.AddRange(put.Select(t => t.Hidden is null ? t with { Hidden = hidden } : t));
-            Spent += put.Count;
-            if (Spent > budget) return false;
+            _spent += put.Count;
+            if (_spent > budget) return false;
         }
         body.Clear();
         body.AddRange(result);
@@ -155,7 +171,7 @@ internal sealed class MacroExpansion(MacroTable macros, int budget)
     {
         for (; hidden is not null; hidden = hidden.Next)
         {
-            Spent++;
+            _spent++;
             if (hidden.Name == name) return true;
         }
         return false;

@@ -1,64 +1,61 @@
 namespace Headless.Shaders.Preprocessing;
 
-/// <summary>Macros at a place of the text, where some branches of #if depend on the variant.</summary>
-/// <param name="others">What is known of names that the text has not defined.</param>
-/// <remarks>
-/// Behind a group of such branches stands what all of them agree on: after "#ifdef KEYWORD", "#define A 1", "#else", "#define A 2",
-/// "#endif", A is defined, as something that is not known here.
-/// </remarks>
-internal sealed class MacroTable(Func<string, Macro> others)
+/// <summary>Macros at a place of the text, and the condition under which a variant comes to it.</summary>
+/// <param name="initially">
+/// What a name stands for before the first line: one macro, or one for the variants that define it and one for the others.
+/// </param>
+/// <remarks>After "#ifdef KEYWORD", "#define A 1", "#else", "#define A 2", "#endif", A is 1 where KEYWORD is defined and 2 elsewhere.</remarks>
+internal sealed class MacroTable(Func<string, IReadOnlyList<Macro>> initially)
 {
-    private const int MostMerges = 1 << 22;
+    private readonly Dictionary<string, List<(int Condition, Macro Macro)>> _macros = [];
 
-    private readonly Dictionary<string, Macro> _macros = [];
-    private readonly Stack<Group> _groups = [];
-    private int _merges;
+    private readonly HashSet<string> _set = [];
 
-    private sealed class Group
+    public Decisions Decisions { get; } = new();
+
+    /// <summary>When the place is reached.</summary>
+    public int Place { get; set; } = Decisions.Always;
+
+    /// <summary>What a name stands for here, each under its condition.</summary>
+    public IEnumerable<(int Condition, Macro Macro)> this[string name] =>
+        All(name).Where(m => Decisions.And(Place, m.Condition) != Decisions.Never);
+
+    /// <summary>What a name stands for, whichever variant comes here; null where that differs.</summary>
+    public Macro? Only(string name) => this[name].Take(2).ToArray() is [var (_, macro)] ? macro : null;
+
+    /// <summary>When a name is defined.</summary>
+    public int IsDefined(string name) =>
+        this[name].Where(m => m.Macro.Defined).Aggregate(Decisions.Never, (sum, m) => Decisions.Or(sum, m.Condition));
+
+    /// <summary>Whether no line of the text has set or undefined a name.</summary>
+    public bool IsInitial(string name) => !_set.Contains(name);
+
+    public void Set(string name, Macro macro)
     {
-        /// <summary>What the current branch has changed, as it was before the group.</summary>
-        public Dictionary<string, Macro> Before { get; set; } = [];
-
-        /// <summary>What each branch has left of the names that it changed.</summary>
-        public List<Dictionary<string, Macro>> Branches { get; } = [];
-    }
-
-    /// <summary>Whether so much was merged that the text is meant to take long.</summary>
-    public bool IsExhausted => _merges > MostMerges;
-
-    public Macro this[string name]
-    {
-        get => _macros.TryGetValue(name, out Macro? macro) ? macro : others(name);
-        set
+        _set.Add(name);
+        int elsewhere = Decisions.Not(Place);
+        int here = Place;
+        List<(int Condition, Macro Macro)> left = [];
+        foreach ((int condition, Macro other) in All(name))
         {
-            if (_groups.TryPeek(out Group? group)) group.Before.TryAdd(name, this[name]);
-            _macros[name] = value;
+            int rest = Decisions.And(condition, elsewhere);
+            if (other.Equals(macro)) here = Decisions.Or(here, rest);
+            else if (rest != Decisions.Never) left.Add((rest, other));
         }
+        _macros[name] = [(here, macro), .. left];
     }
 
-    /// <summary>Begins a group of branches of which one is taken, or none.</summary>
-    public void BeginGroup() => _groups.Push(new Group());
-
-    /// <summary>Ends a branch: the macros are those before the group again.</summary>
-    /// <param name="keep">Whether the branch may be taken.</param>
-    public void EndBranch(bool keep)
+    private List<(int Condition, Macro Macro)> All(string name)
     {
-        Group group = _groups.Peek();
-        if (keep) group.Branches.Add(group.Before.Keys.ToDictionary(name => name, name => _macros[name]));
-        foreach ((string name, Macro before) in group.Before) _macros[name] = before;
-        _merges += group.Before.Count;
-        group.Before = [];
-    }
-
-    /// <summary>Ends a group whose branches were ended; one of them was taken.</summary>
-    public void EndGroup()
-    {
-        Group group = _groups.Pop();
-        foreach (string name in group.Branches.SelectMany(b => b.Keys).Distinct())
+        if (!_macros.TryGetValue(name, out List<(int, Macro)>? all))
         {
-            Macro before = this[name];
-            this[name] = group.Branches.Select(b => b.GetValueOrDefault(name, before)).Aggregate(Macro.Either);
-            _merges += group.Branches.Count;
+            _macros[name] = all = initially(name) switch
+            {
+                [var only] => [(Decisions.Always, only)],
+                [var defined, var other] => [(Decisions.Variable(name), defined), (Decisions.Not(Decisions.Variable(name)), other)],
+                _ => throw new InvalidOperationException(name),
+            };
         }
+        return all;
     }
 }

@@ -52,7 +52,7 @@ internal sealed class IncludeExpander
         bool guarded = HasPragmaOnce(block.Text);
         if (guarded)
         {
-            if (_macros[guard].Defined is true)
+            if (_macros.Only(guard) is { Defined: true })
             {
                 return;
             }
@@ -101,7 +101,7 @@ internal sealed class IncludeExpander
         bool inLiveGroup = _conditionals.InLiveGroup;
         if (_conditionals.Take(directive.Word, directive.Argument))
         {
-            if (_macros.IsExhausted)
+            if (_macros.Decisions.IsExhausted)
             {
                 throw new ShaderCompileException(_includes.Shown(path), number, "its conditions and macros take too long to follow; divide the file");
             }
@@ -118,7 +118,7 @@ internal sealed class IncludeExpander
                 Define(directive.Argument);
                 return false;
             case "undef":
-                _macros[directive.Argument] = Macro.Undefined;
+                _macros.Set(directive.Argument, Macro.Undefined);
                 return false;
             case "include_with_pragmas":
                 Include(directive.Written, path, file, number, lines.Length, withPragmas);
@@ -140,7 +140,7 @@ internal sealed class IncludeExpander
     {
         if (Macro.Read(definition) is var (name, macro))
         {
-            _macros[name] = macro;
+            _macros.Set(name, macro);
         }
     }
 
@@ -191,7 +191,7 @@ internal sealed class IncludeExpander
     }
 
     // #define HEADER "File.hlsl", then #include HEADER
-    private string? IncludedByMacro(string name) => _macros[name].Body is { Parameters: null } body ? SourceDirective.IncludedFile(body.Text) : null;
+    private string? IncludedByMacro(string name) => _macros.Only(name)?.Body is { Parameters: null } body ? SourceDirective.IncludedFile(body.Text) : null;
 
     private void Error(string message, int lines)
     {

@@ -19,7 +19,11 @@ internal static class KeywordPragmas
     private static readonly HashSet<string> Suffixes =
         ["local", "vertex", "fragment", "geometry", "hull", "domain", "raytracing"];
 
-    private static readonly string[] Stems = ["multi_compile", "shader_feature", "dynamic_branch"];
+    private const string BranchStem = "dynamic_branch";
+
+    private static readonly string[] Stems = ["multi_compile", "shader_feature", BranchStem];
+
+    public static bool IsBranch(IReadOnlyList<string> words) => words[0].StartsWith(BranchStem, StringComparison.Ordinal);
 
     /// <summary>Keywords that a pragma of these names, whether or not it is well formed.</summary>
     public static IEnumerable<string> Names(IReadOnlyList<string> words)
@@ -54,7 +58,7 @@ internal static class KeywordPragmas
         {
             throw new ShaderCompileException(pragma.File, pragma.Line, $"#pragma {kind} names no keyword");
         }
-        bool branch = stem == "dynamic_branch";
+        bool branch = stem == BranchStem;
         if ((feature || branch) && keywords.Count == 1 && keywords[0].Length > 0)
         {
             keywords.Insert(0, "");

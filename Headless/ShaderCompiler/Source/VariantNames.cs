@@ -7,7 +7,10 @@ namespace Headless.Shaders;
 /// <remarks>Names are read from all of its pragmas, those in branches of #if that are not taken included.</remarks>
 internal sealed partial class VariantNames
 {
-    private readonly HashSet<string> _names = [];
+    private readonly HashSet<string> _keywords = [];
+
+    /// <summary>Those with other values than 1.</summary>
+    private readonly HashSet<string> _others = [];
 
     private VariantNames()
     {
@@ -37,17 +40,18 @@ internal sealed partial class VariantNames
     }
 
     /// <summary>What is known of a name before the source's first line.</summary>
-    public Macro Initially(string name)
+    public IReadOnlyList<Macro> Initially(string name)
     {
-        if (StageText.Constants.TryGetValue(name, out string? value)) return new Macro(true, new MacroBody(null, value));
-        return _names.Contains(name) || StageText.Varies(name) || IsOfCompiler(name) ? Macro.Varies : Macro.Undefined;
+        if (StageText.Constants.TryGetValue(name, out string? value)) return [Macro.Of(value)];
+        if (_others.Contains(name) || StageText.Varies(name) || IsOfCompiler(name)) return [Macro.Somehow, Macro.Undefined];
+        return _keywords.Contains(name) ? [Macro.Of("1"), Macro.Undefined] : [Macro.Undefined];
     }
 
     private void AddPragma(string[] words)
     {
         if (words.Length == 0) return;
-        IEnumerable<string> declared = words[0] == "kernel" ? words.Skip(2).Select(w => w.Split('=')[0]) : KeywordPragmas.Names(words);
-        _names.UnionWith(declared);
+        if (words[0] == "kernel") _others.UnionWith(words.Skip(2).Select(w => w.Split('=')[0]));
+        else (KeywordPragmas.IsBranch(words) ? _others : _keywords).UnionWith(KeywordPragmas.Names(words));
     }
 
     private static bool IsOfCompiler(string name) =>

@@ -15,7 +15,7 @@ public sealed class FxcRulesTests : SandboxTests
     {
         string reduced = $"{type} Scaled({type} x, in {type}3 y[2])\n{{\n return x * 2.25 + y[0].x;\n}}\n";
         const string full = "float Scaled(float x, in float3 y[2]) { return x * 3.25 + y[0].x; }\n";
-        const string value = "float Value() { float3 y[2] = { (float3)1, (float3)1 }; return Scaled(1, y); }\n";
+        const string value = "StructuredBuffer<float> _In;\nfloat Value() { float3 y[2]; y[0] = _In[1]; y[1] = 0; return Scaled(_In[0], y); }\n";
         foreach (string source in new[] { reduced + full, full + reduced })
         {
             ShaderBinary binary = Sandbox.Kernel(source + value + Body);
