@@ -7,12 +7,12 @@ namespace Headless.Shaders;
 /// </summary>
 /// <remarks>
 /// Direct3D 11 on a desktop works out half and the min16 types with 32 bits, and glslang takes them for float and int, so that such
-/// functions have one signature. The one that is written with the full types is kept, else the first: FXC takes it for min16float
-/// too, and tells half from float, which here does not.
+/// functions have one signature. The one that is written with the full types is kept, else the first. FXC also calls that one for
+/// min16float; for half it calls the other, which is not told apart here.
 /// </remarks>
 internal static partial class HalfOverloads
 {
-    private readonly record struct Function(int First, int Last, string Written, string Signature);
+    private readonly record struct Function(int First, int Brace, int Last, string Written, string Signature);
 
     /// <param name="text">Text behind the preprocessor.</param>
     public static string Drop(string text)
@@ -24,10 +24,22 @@ internal static partial class HalfOverloads
             Function kept = equal.FirstOrDefault(f => f.Written == f.Signature, equal.First());
             foreach (Function function in equal.Where(f => f.Written != kept.Written))
             {
-                edit.Blank(tokens[function.First].Start, tokens[function.Last].End);
+                Drop(function, kept, tokens, edit);
             }
         }
         return edit.ToString();
+    }
+
+    // One that comes first stays as a declaration, for calls between the two.
+    private static void Drop(Function function, Function kept, List<HlslToken> tokens, TextEdit edit)
+    {
+        int start = tokens[function.First].Start;
+        if (function.First < kept.First)
+        {
+            start = tokens[function.Brace].End;
+            edit.Replace(tokens[function.Brace].Start, 1, ";");
+        }
+        edit.Blank(start, tokens[function.Last].End);
     }
 
     private static IEnumerable<Function> Functions(List<HlslToken> tokens)
@@ -52,7 +64,7 @@ internal static partial class HalfOverloads
                 }
                 if (Signature(tokens, first, i) is { } signature)
                 {
-                    yield return new Function(first, last, signature, Full(signature));
+                    yield return new Function(first, i, last, signature, Full(signature));
                 }
                 i = last;
                 first = i + 1;

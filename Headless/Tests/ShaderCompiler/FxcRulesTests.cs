@@ -24,6 +24,15 @@ public sealed class FxcRulesTests : SandboxTests
     }
 
     [Test]
+    public void AVersionIsCalledBeforeTheOneThatIsKept()
+    {
+        ShaderBinary binary = Sandbox.Kernel(
+            "StructuredBuffer<float> _In;\nhalf Scaled(half x)\n{\n return x * 2.25;\n}\nfloat Value() { return Scaled(_In[0]); }\n"
+            + "float Scaled(float x) { return x * 3.25; }\n" + Body);
+        Assert.That((Holds(binary, 2.25f), Holds(binary, 3.25f)), Is.EqualTo((false, true)));
+    }
+
+    [Test]
     public void VersionsOfOtherTypesAndSizesStay()
     {
         ShaderBinary binary = Sandbox.Kernel("""
