@@ -28,9 +28,6 @@ public sealed class ShaderCompiler
     public string CacheDirectory { get; }
     public IncludeResolver Includes { get; }
 
-    /// <summary>Macros for every stage, such as UNITY_COLORSPACE_GAMMA in a project of that colour space.</summary>
-    public IReadOnlyList<KeyValuePair<string, string>> GlobalDefines { get; init; } = [];
-
     /// <summary>Compiles the kernels in the place of glslang, which still makes passes and what this cannot translate.</summary>
     public Direct3DFrontEnd? Direct3D { get; init; }
 
@@ -116,9 +113,13 @@ public sealed class ShaderCompiler
 
     private StageJob KernelJob(ComputeSource source, KernelDeclaration kernel, IReadOnlyList<string> keywords)
     {
-        string text = StageText.Build(source.Expanded, ShaderStage.Compute, ComputeTarget, [.. GlobalDefines, .. kernel.Defines], keywords);
+        string text = StageText.Build(source.Expanded, ShaderStage.Compute, ComputeTarget, kernel.Defines, keywords);
         (text, string name) = KernelNames.Separate(text, kernel.Name);
-        return new StageJob(source.Expanded, ShaderStage.Compute, kernel.Name, text, $"kernel '{kernel.Name}'") { SourceEntryPoint = name };
+        return new StageJob(source.Expanded, ShaderStage.Compute, kernel.Name, text, $"kernel '{kernel.Name}'")
+        {
+            SourceEntryPoint = name,
+            Plain = () => StageText.Plain(source.Expanded, ShaderStage.Compute, ComputeTarget, kernel.Defines, keywords),
+        };
     }
 
     private List<StageJob> PassJobs(ShaderPass pass, IReadOnlyList<string> keywords)
@@ -136,8 +137,12 @@ public sealed class ShaderCompiler
 
         void Add(ShaderStage stage, string entry)
         {
-            string text = StageText.Build(program.Expanded, stage, program.Target, [.. GlobalDefines, .. pass.Defines], keywords);
-            jobs.Add(new StageJob(program.Expanded, stage, entry, text, $"{owner}, {stage} stage '{entry}'"));
+            int target = program.TargetOf(keywords);
+            string text = StageText.Build(program.Expanded, stage, target, pass.Defines, keywords);
+            jobs.Add(new StageJob(program.Expanded, stage, entry, text, $"{owner}, {stage} stage '{entry}'")
+            {
+                Plain = () => StageText.Plain(program.Expanded, stage, target, pass.Defines, keywords),
+            });
         }
     }
 
@@ -197,7 +202,7 @@ public sealed class ShaderCompiler
             foreach (StageJob job in jobs)
             {
                 Activity = $"compiling {job.Owner} ({_compilations + 1})";
-                byte[] spirV = _compiler.Compile(job);
+                byte[] spirV = Compile(job);
                 compiled.Add((SourceNames.MayHaveRawBuffers(job.Text) ? job with { Declarations = _compiler.Preprocess(job) } : job, spirV));
                 Interlocked.Increment(ref _compilations);
             }
@@ -208,6 +213,21 @@ public sealed class ShaderCompiler
         finally
         {
             Activity = null;
+        }
+    }
+
+    /// <summary>Where glslang refuses the text, it is preprocessed first, so that FXC's rules are written out behind macros too.</summary>
+    private byte[] Compile(StageJob job)
+    {
+        try
+        {
+            return _compiler.Compile(job);
+        }
+        catch (ShaderCompileException e) when (e.Line > 0 && job.Plain is { } plain)
+        {
+            string text = FxcRules.WriteAll(_compiler.Preprocess(job with { Text = plain() }));
+            (text, string name) = job.Stage == ShaderStage.Compute ? KernelNames.Separate(text, job.EntryPoint) : (text, job.EntryPoint);
+            return _compiler.Compile(job with { Text = text, SourceEntryPoint = name });
         }
     }
 }

@@ -52,6 +52,6 @@ internal sealed record FxcJob(string Name, string Entry, string Profile, string 
     private static string Label(string path, string entry, IReadOnlyList<string> keywords) =>
         $"{Path.GetFileName(path)} {entry.Trim()}{(keywords.Count > 0 ? " [" + string.Join(' ', keywords) + "]" : "")}";
 
-    private static string Build(ExpandedSource source, ShaderStage stage, int target, IEnumerable<KeyValuePair<string, string>> defines, IEnumerable<string> keywords) =>
+    private static string Build(ExpandedSource source, ShaderStage stage, int target, IEnumerable<KeyValuePair<string, string>> defines, IReadOnlyCollection<string> keywords) =>
         FxcText.From(StageText.Build(source, stage, target, defines, keywords), source);
 }

@@ -8,6 +8,9 @@ internal sealed record StageJob(ExpandedSource Source, ShaderStage Stage, string
     /// <summary>Name of the entry point's function in Text, where it is another one.</summary>
     public string SourceEntryPoint { get; init; } = EntryPoint;
 
+    /// <summary>Makes the text as it is written, without FXC's rules.</summary>
+    public Func<string>? Plain { get; init; }
+
     /// <summary>Text that declarations are read from: that behind the preprocessor, where what is read may hang on macros.</summary>
     public string Declarations { get; init; } = Text;
 }

@@ -6,6 +6,7 @@ namespace Headless.Shaders;
 internal static class ProgramReader
 {
     private const int DefaultTarget = 25;
+    private const string Renderer = "d3d11";
 
     private static readonly string[] AutomaticIncludes = ["HLSLSupport.cginc", "UnityShaderVariables.cginc"];
 
@@ -34,6 +35,7 @@ internal static class ProgramReader
         List<KeywordSet> sets = [];
         List<string> requires = [];
         int target = DefaultTarget;
+        List<(int, IReadOnlyList<string>)> keywordTargets = [];
         foreach (PragmaLine pragma in expanded.Pragmas)
         {
             string word = pragma.Words[0];
@@ -42,11 +44,18 @@ internal static class ProgramReader
                 case "vertex" or "fragment" or "geometry":
                     entries[word] = Argument(pragma);
                     break;
+                case "target" when pragma.Words.Count > 2:
+                    keywordTargets.Add((Target(pragma), [.. pragma.Words.Skip(2)]));
+                    break;
                 case "target":
                     target = Target(pragma);
                     break;
                 case "require":
                     requires.AddRange(pragma.Words.Skip(1).Where(w => w != ":"));
+                    break;
+                case "only_renderers" when !pragma.Words.Contains(Renderer):
+                case "exclude_renderers" when pragma.Words.Contains(Renderer):
+                    unsupported ??= new UnsupportedFeature(pragma.Line, $"the program is not for Direct3D 11; add {Renderer} to \"#pragma only_renderers\", or take it from \"#pragma exclude_renderers\"");
                     break;
                 case "surface":
                     unsupported ??= new UnsupportedFeature(pragma.Line, "surface shaders are not supported; write vertex and fragment functions");
@@ -73,6 +82,7 @@ internal static class ProgramReader
             entries.GetValueOrDefault("fragment", ""), target, sets, requires)
         {
             Expanded = expanded,
+            KeywordTargets = keywordTargets,
         };
     }
 

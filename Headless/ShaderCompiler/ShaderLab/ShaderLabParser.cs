@@ -186,6 +186,10 @@ internal sealed class ShaderLabParser(string path, ShaderLabReader reader, Inclu
                     reader.Next();
                     met &= RequirementsMet();
                     break;
+                case "LOD":
+                    reader.Next();
+                    reader.Integer();
+                    break;
                 default:
                     state = RenderStateParser.TryRead(reader, state, ref unsupported)
                         ?? throw reader.Unexpected("Name, Tags, a render state command or HLSLPROGRAM");

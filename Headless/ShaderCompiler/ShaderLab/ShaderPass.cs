@@ -6,6 +6,9 @@ namespace Headless.Shaders;
 public sealed record ShaderPass(
     string ShaderName, string Name, IReadOnlyDictionary<string, string> Tags, RenderState State, ShaderProgram Program)
 {
+    /// <summary>What the macros that follow from the LightMode tag begin with.</summary>
+    internal const string DefinePrefix = "UNITY_PASS_";
+
     /// <summary>Why the pass can be read but not compiled here; null when it can.</summary>
     internal UnsupportedFeature? Unsupported { get; init; }
 
@@ -21,7 +24,7 @@ public sealed record ShaderPass(
         {
             string? mode = Tags.GetValueOrDefault("LightMode")?.ToUpperInvariant();
             return mode is "FORWARDBASE" or "FORWARDADD" or "SHADOWCASTER" or "DEFERRED" or "META"
-                ? [KeyValuePair.Create("UNITY_PASS_" + mode, "1")]
+                ? [KeyValuePair.Create(DefinePrefix + mode, "1")]
                 : [];
         }
     }

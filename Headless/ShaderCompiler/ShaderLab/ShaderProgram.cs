@@ -11,6 +11,13 @@ public sealed record ShaderProgram(
 {
     internal ExpandedSource Expanded { get; init; } = new("", [Path], [], []);
 
+    /// <summary>Targets of "#pragma target 4.5 KEYWORD", which are for variants with all of the keywords.</summary>
+    internal IReadOnlyList<(int Target, IReadOnlyList<string> Keywords)> KeywordTargets { get; init; } = [];
+
+    /// <summary>The target of a variant.</summary>
+    internal int TargetOf(IReadOnlyCollection<string> keywords) =>
+        KeywordTargets.Where(t => t.Keywords.All(keywords.Contains)).Select(t => t.Target).Append(Target).Max();
+
     /// <summary>HLSL with includes in place and #line directives.</summary>
     public string Source => Expanded.Text;
 }

@@ -11,9 +11,14 @@ internal sealed record ExpandedSource(string Text, IReadOnlyList<string> Files, 
     public const string MessageWord = "HEADLESS_MESSAGE_";
 
     private string? _hlsl;
+    private string[]? _branchKeywords;
+
+    /// <summary>Keywords of dynamic_branch pragmas.</summary>
+    public IReadOnlyList<string> BranchKeywords => _branchKeywords ??=
+        [.. Pragmas.SelectMany(p => KeywordPragmas.Read(p) ?? []).Where(s => s.Branch).SelectMany(s => s.Keywords).Where(k => k.Length > 0).Distinct()];
 
     /// <summary>Text with FXC's rules for globals and loop variables written out.</summary>
-    public string Hlsl => _hlsl ??= GlobalInitializers.Rewrite(LoopScopes.Rewrite(Text));
+    public string Hlsl => _hlsl ??= FxcRules.WriteDeclarations(Text);
 
     public string FileName(int index) => index >= 1 && index <= Files.Count ? Files[index - 1] : Files[0];
 }

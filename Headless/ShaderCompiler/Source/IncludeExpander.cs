@@ -1,13 +1,15 @@
 using System.Text;
+using Headless.Shaders.Preprocessing;
 
 namespace Headless.Shaders;
 
 /// <summary>Puts include files in place and takes Unity's pragmas out, keeping files and lines for messages.</summary>
 /// <remarks>
-/// #if is left to the compiler, so includes of both branches are expanded; one that is not found becomes an #error, which
-/// counts only where the branch is taken. "#pragma once" becomes an include guard.
+/// Branches of #if that no variant takes become blank lines, and what they include is not looked for; the others are left to the
+/// compiler. An include that is not found becomes an #error, which counts only where the branch is taken. "#pragma once" becomes
+/// an include guard.
 /// </remarks>
-internal sealed class IncludeExpander(IncludeResolver includes)
+internal sealed class IncludeExpander
 {
     private const int MaxDepth = 64;
 
@@ -15,17 +17,27 @@ internal sealed class IncludeExpander(IncludeResolver includes)
     private const int MaxLength = 16 << 20;
     private const int MaxIncludes = 10_000;
 
-    private int _includes;
-
+    private readonly IncludeResolver _includes;
+    private readonly MacroTable _macros;
+    private readonly Conditionals _conditionals;
     private readonly StringBuilder _text = new();
     private readonly List<string> _files = [];
     private readonly List<string> _messages = [];
     private readonly List<PragmaLine> _pragmas = [];
     private readonly Stack<string> _open = new();
+    private readonly Dictionary<string, string> _read = [];
+    private int _count;
 
-    public static ExpandedSource Expand(IncludeResolver includes, IEnumerable<SourceBlock> blocks)
+    private IncludeExpander(IncludeResolver includes, VariantNames names)
     {
-        IncludeExpander expander = new(includes);
+        _includes = includes;
+        _macros = new MacroTable(names.Initially);
+        _conditionals = new Conditionals(_macros);
+    }
+
+    public static ExpandedSource Expand(IncludeResolver includes, IReadOnlyList<SourceBlock> blocks)
+    {
+        IncludeExpander expander = new(includes, VariantNames.Of(blocks, includes));
         foreach (SourceBlock block in blocks)
         {
             expander.Add(block, withPragmas: true);
@@ -36,116 +48,160 @@ internal sealed class IncludeExpander(IncludeResolver includes)
     private void Add(SourceBlock block, bool withPragmas)
     {
         int file = FileNumber(block.Path);
-        _open.Push(block.Path);
+        string guard = $"HEADLESS_ONCE_{file}";
         bool guarded = HasPragmaOnce(block.Text);
         if (guarded)
         {
-            _text.Append($"#ifndef HEADLESS_ONCE_{file}\n#define HEADLESS_ONCE_{file} 1\n");
+            if (_macros.Only(guard) is { Defined: true })
+            {
+                return;
+            }
+            _conditionals.Take("ifndef", guard);
+            Define($"{guard} 1");
+            _text.Append($"#ifndef {guard}\n#define {guard} 1\n");
         }
+        _open.Push(block.Path);
         _text.Append($"#line {block.FirstLine} {file}\n");
         string[] lines = block.Text.ReplaceLineEndings("\n").Split('\n');
         CommentState comments = new();
         for (int i = 0; i < lines.Length; i++)
         {
-            bool inComment = comments.InBlock;
+            int first = i;
+            bool directive = !comments.InBlock && lines[i].AsSpan().TrimStart().StartsWith("#");
             comments.Advance(lines[i]);
-            string trimmed = lines[i].TrimStart();
-            int line = block.FirstLine + i;
-            if (inComment || !trimmed.StartsWith('#') || !Directive(trimmed, block.Path, file, line, withPragmas))
+            while (directive && lines[i].EndsWith('\\') && i + 1 < lines.Length)
             {
-                _text.Append(lines[i]).Append('\n');
+                comments.Advance(lines[++i]);
+            }
+            ReadOnlySpan<string> read = lines.AsSpan(first..(i + 1));
+            if (!directive || !Directive(SourceDirective.Read(read), block.Path, file, block.FirstLine + first, withPragmas, read))
+            {
+                Append(read, _conditionals.Live);
             }
         }
         if (guarded)
         {
+            _conditionals.Take("endif", "");
             _text.Append("#endif\n");
         }
         _open.Pop();
     }
 
-    /// <summary>True when the line was replaced.</summary>
-    private bool Directive(string line, string path, int file, int number, bool withPragmas)
+    private void Append(ReadOnlySpan<string> lines, bool live)
     {
-        string body = line[1..].TrimStart();
-        if (Keyword(body, "include_with_pragmas"))
+        foreach (string line in lines)
         {
-            Include(body["include_with_pragmas".Length..], path, file, number, withPragmas);
+            _text.Append(live ? line : "").Append('\n');
+        }
+    }
+
+    /// <summary>True when the lines were put into the text, or what stands for them.</summary>
+    private bool Directive(SourceDirective directive, string path, int file, int number, bool withPragmas, ReadOnlySpan<string> lines)
+    {
+        bool inLiveGroup = _conditionals.InLiveGroup;
+        if (_conditionals.Take(directive.Word, directive.Argument))
+        {
+            if (_macros.Decisions.IsExhausted)
+            {
+                throw new ShaderCompileException(_includes.Shown(path), number, "its conditions and macros take too long to follow; divide the file");
+            }
+            Append(lines, directive.Word == "endif" ? inLiveGroup : _conditionals.InLiveGroup);
             return true;
         }
-        if (Keyword(body, "include"))
-        {
-            Include(body["include".Length..], path, file, number, withPragmas: false);
-            return true;
-        }
-        if (Keyword(body, "error"))
-        {
-            Error(body["error".Length..].Trim());
-            return true;
-        }
-        if (!Keyword(body, "pragma"))
+        if (!_conditionals.Live)
         {
             return false;
         }
-        string[] words = CommentState.WithoutComments(body["pragma".Length..])
-            .Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries);
+        switch (directive.Word)
+        {
+            case "define":
+                Define(directive.Argument);
+                return false;
+            case "undef":
+                _macros.Set(directive.Argument, Macro.Undefined);
+                return false;
+            case "include_with_pragmas":
+                Include(directive.Written, path, file, number, lines.Length, withPragmas);
+                return true;
+            case "include":
+                Include(directive.Written, path, file, number, lines.Length, withPragmas: false);
+                return true;
+            case "error":
+                Error(directive.Written, lines.Length);
+                return true;
+            case "pragma":
+                return Pragma(directive.Argument, path, number, lines.Length, withPragmas);
+            default:
+                return false;
+        }
+    }
+
+    private void Define(string definition)
+    {
+        if (Macro.Read(definition) is var (name, macro))
+        {
+            _macros.Set(name, macro);
+        }
+    }
+
+    private bool Pragma(string argument, string path, int number, int lines, bool withPragmas)
+    {
+        string[] words = PragmaLine.Split(argument);
         if (words.Length > 0 && words[0].StartsWith("pack_matrix", StringComparison.Ordinal))
         {
             return false;
         }
         if (withPragmas && words.Length > 0)
         {
-            _pragmas.Add(new PragmaLine(includes.Shown(path), number, words));
+            _pragmas.Add(new PragmaLine(_includes.Shown(path), number, words));
         }
-        _text.Append('\n');
+        _text.Append('\n', lines);
         return true;
     }
 
-    private void Include(string argument, string path, int file, int number, bool withPragmas)
+    private void Include(string argument, string path, int file, int number, int lines, bool withPragmas)
     {
-        string name = argument.Trim();
-        int end = name.Length < 2 ? -1 : name[0] switch
+        string requested = SourceDirective.IncludedFile(argument) ?? IncludedByMacro(argument)
+            ?? throw new ShaderCompileException(_includes.Shown(path), number, "#include expects \"file\" or <file>");
+        if (_includes.Resolve(requested, path) is not { } found)
         {
-            '"' => name.IndexOf('"', 1),
-            '<' => name.IndexOf('>', 1),
-            _ => -1,
-        };
-        if (end < 0)
-        {
-            throw new ShaderCompileException(includes.Shown(path), number, "#include expects \"file\" or <file>");
-        }
-        string requested = name[1..end];
-        if (includes.Resolve(requested, path) is not { } found)
-        {
-            Error($"Couldn't open include file '{requested}'.");
+            Error($"Couldn't open include file '{requested}'.", lines);
             return;
         }
         if (_open.Contains(found))
         {
-            _text.Append('\n');
+            _text.Append('\n', lines);
             return;
         }
         if (_open.Count >= MaxDepth)
         {
-            throw new ShaderCompileException(includes.Shown(path), number, $"includes are nested more than {MaxDepth} deep");
+            throw new ShaderCompileException(_includes.Shown(path), number, $"includes are nested more than {MaxDepth} deep");
         }
-        if (++_includes > MaxIncludes || _text.Length > MaxLength)
+        if (++_count > MaxIncludes || _text.Length > MaxLength)
         {
             throw new ShaderCompileException(
-                includes.Shown(path), number, $"its includes come to more than {MaxIncludes} files or {MaxLength >> 20} million characters; guard them with #pragma once");
+                _includes.Shown(path), number, $"its includes come to more than {MaxIncludes} files or {MaxLength >> 20} million characters; guard them with #pragma once");
         }
-        Add(new SourceBlock(found, includes.Read(found), 1), withPragmas);
-        _text.Append($"#line {number + 1} {file}\n");
+        if (!_read.TryGetValue(found, out string? text))
+        {
+            _read[found] = text = _includes.Read(found);
+        }
+        Add(new SourceBlock(found, text, 1), withPragmas);
+        _text.Append($"#line {number + lines} {file}\n");
     }
 
-    private void Error(string message)
+    // #define HEADER "File.hlsl", then #include HEADER
+    private string? IncludedByMacro(string name) => _macros.Only(name)?.Body is { Parameters: null } body ? SourceDirective.IncludedFile(body.Text) : null;
+
+    private void Error(string message, int lines)
     {
-        _text.Append($"#error {ExpandedSource.MessageWord}{_messages.Count}\n");
+        _text.Append($"#error {ExpandedSource.MessageWord}{_messages.Count}\n").Append('\n', lines - 1);
         _messages.Add(message);
     }
 
     private int FileNumber(string path)
     {
-        string shown = path.StartsWith(IncludeResolver.BuiltinFolder, StringComparison.Ordinal) ? path : includes.Shown(path);
+        string shown = path.StartsWith(IncludeResolver.BuiltinFolder, StringComparison.Ordinal) ? path : _includes.Shown(path);
         int index = _files.IndexOf(shown);
         if (index < 0)
         {
@@ -157,19 +213,15 @@ internal sealed class IncludeExpander(IncludeResolver includes)
 
     private static bool HasPragmaOnce(string text)
     {
-        foreach (string line in text.Split('\n'))
+        foreach (ReadOnlySpan<char> line in text.AsSpan().EnumerateLines())
         {
-            string trimmed = line.TrimStart();
-            if (trimmed.StartsWith('#') && Keyword(trimmed[1..].TrimStart(), "pragma")
-                && trimmed[1..].TrimStart()["pragma".Length..].Trim().StartsWith("once", StringComparison.Ordinal))
+            ReadOnlySpan<char> trimmed = line.TrimStart();
+            if (trimmed.StartsWith("#") && trimmed[1..].TrimStart() is var body && body.StartsWith("pragma")
+                && body["pragma".Length..].TrimStart().StartsWith("once"))
             {
                 return true;
             }
         }
         return false;
     }
-
-    private static bool Keyword(string body, string word) =>
-        body.StartsWith(word, StringComparison.Ordinal)
-        && (body.Length == word.Length || !(char.IsLetterOrDigit(body[word.Length]) || body[word.Length] == '_'));
 }

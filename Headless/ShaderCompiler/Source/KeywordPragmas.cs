@@ -1,6 +1,6 @@
 namespace Headless.Shaders;
 
-/// <summary>Reads multi_compile and shader_feature pragmas, Unity's named shortcuts included.</summary>
+/// <summary>Reads multi_compile, shader_feature and dynamic_branch pragmas, Unity's named shortcuts included.</summary>
 internal static class KeywordPragmas
 {
     private static readonly Dictionary<string, string[][]> Shortcuts = new()
@@ -19,6 +19,22 @@ internal static class KeywordPragmas
     private static readonly HashSet<string> Suffixes =
         ["local", "vertex", "fragment", "geometry", "hull", "domain", "raytracing"];
 
+    private const string BranchStem = "dynamic_branch";
+
+    private static readonly string[] Stems = ["multi_compile", "shader_feature", BranchStem];
+
+    public static bool IsBranch(IReadOnlyList<string> words) => words[0].StartsWith(BranchStem, StringComparison.Ordinal);
+
+    /// <summary>Keywords that a pragma of these names, whether or not it is well formed.</summary>
+    public static IEnumerable<string> Names(IReadOnlyList<string> words)
+    {
+        if (Shortcuts.TryGetValue(words[0], out string[][]? sets))
+        {
+            return sets.SelectMany(s => s);
+        }
+        return Array.Exists(Stems, stem => words[0].StartsWith(stem, StringComparison.Ordinal)) ? words.Skip(1) : [];
+    }
+
     /// <summary>The sets a pragma declares; null when it is no keyword pragma.</summary>
     public static IReadOnlyList<KeywordSet>? Read(PragmaLine pragma)
     {
@@ -27,12 +43,11 @@ internal static class KeywordPragmas
         {
             return [.. sets.Where(s => !IsSkipped(s, pragma)).Select(s => new KeywordSet(s, Local: false, Feature: false))];
         }
-        bool feature = kind.StartsWith("shader_feature", StringComparison.Ordinal);
-        string stem = feature ? "shader_feature" : "multi_compile";
-        if (!kind.StartsWith(stem, StringComparison.Ordinal))
+        if (Array.Find(Stems, s => kind.StartsWith(s, StringComparison.Ordinal)) is not { } stem)
         {
             return null;
         }
+        bool feature = stem == "shader_feature";
         string[] suffixes = kind[stem.Length..].Split('_', StringSplitOptions.RemoveEmptyEntries);
         if (suffixes.Any(s => !Suffixes.Contains(s)))
         {
@@ -43,11 +58,12 @@ internal static class KeywordPragmas
         {
             throw new ShaderCompileException(pragma.File, pragma.Line, $"#pragma {kind} names no keyword");
         }
-        if (feature && keywords.Count == 1 && keywords[0].Length > 0)
+        bool branch = stem == BranchStem;
+        if ((feature || branch) && keywords.Count == 1 && keywords[0].Length > 0)
         {
             keywords.Insert(0, "");
         }
-        return [new KeywordSet(keywords, suffixes.Contains("local"), feature)];
+        return [new KeywordSet(keywords, suffixes.Contains("local"), feature) { Branch = branch }];
     }
 
     // "#pragma multi_compile_fwdbase novertexlight"

@@ -1,4 +1,7 @@
 namespace Headless.Shaders;
 
-/// <param name="Words">Words after "#pragma", line comments cut off.</param>
-internal sealed record PragmaLine(string File, int Line, IReadOnlyList<string> Words);
+/// <param name="Words">Words after "#pragma", comments cut off.</param>
+internal sealed record PragmaLine(string File, int Line, IReadOnlyList<string> Words)
+{
+    public static string[] Split(string argument) => argument.Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries);
+}

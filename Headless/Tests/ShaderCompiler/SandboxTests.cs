@@ -16,4 +16,8 @@ public abstract class SandboxTests
 
     private protected static ShaderResource Resource(ShaderBinary binary, string name) =>
         binary.Resources.Single(r => r.Name == name);
+
+    /// <summary>Whether a number stands in the code.</summary>
+    private protected static bool Holds(ShaderBinary binary, float constant) =>
+        Enumerable.Range(0, binary.SpirV.Length / 4).Any(i => BitConverter.ToSingle(binary.SpirV, 4 * i) == constant);
 }

@@ -112,6 +112,53 @@ public sealed class ShaderLabTests : SandboxTests
     }
 
     [Test]
+    public void LodAfterAPassAndInIt()
+    {
+        SubShader subShader = Parse($$"""Shader "S" { SubShader { Pass { LOD 100 Name "A" LOD 200 {{Program}} } LOD 300 } }""").SubShaders[0];
+        Assert.That((subShader.Lod, subShader.Passes[0].Name), Is.EqualTo((300, "A")));
+    }
+
+    [Test]
+    public void TargetsOfKeywordsAreForTheirVariants()
+    {
+        ShaderProgram program = Parse("""
+            Shader "S" { SubShader { Pass { HLSLPROGRAM
+            #pragma vertex vert
+            #pragma fragment frag
+            #pragma target 3.0
+            #pragma target 4.5 KEY
+            ENDHLSL } } }
+            """).SubShaders[0].Passes[0].Program;
+        Assert.That((program.Target, program.TargetOf([]), program.TargetOf(["OTHER", "KEY"])), Is.EqualTo((30, 30, 45)));
+    }
+
+    [TestCase("only_renderers metal vulkan", false)]
+    [TestCase("only_renderers d3d11 vulkan", true)]
+    [TestCase("exclude_renderers d3d11", false)]
+    [TestCase("exclude_renderers gles3 glcore", true)]
+    public void RenderersOfAProgram(string pragma, bool ours)
+    {
+        ShaderPass pass = Parse($$"""
+            Shader "S" { SubShader { Pass { HLSLPROGRAM
+            #pragma vertex vert
+            #pragma fragment frag
+            #pragma {{pragma}}
+            float4 vert(float4 p : POSITION) : SV_Position { return p; }
+            float4 frag() : SV_Target { return 1; }
+            ENDHLSL } } }
+            """).SubShaders[0].Passes[0];
+        TestDelegate compile = () => Sandbox.Compiler().CompilePass(pass, []);
+        if (ours)
+        {
+            Assert.DoesNotThrow(compile);
+        }
+        else
+        {
+            Assert.That(Assert.Throws<ShaderCompileException>(compile)!.Problem, Does.Contain("not for Direct3D 11"));
+        }
+    }
+
+    [Test]
     public void UnmetPackageRequirementsSkipTheSubShader()
     {
         Sandbox.Add("Packages/tool/package.json", """{"name": "com.example.tool", "version": "1.4.2"}""");
