@@ -1,6 +1,6 @@
-// Solid things around a liquid, as in the samples: one colour, or tiles of two, lit by the main light and the ambient light, in the
-// Built-in pipeline by further lights as well. Looks alike in the Built-in pipeline and in URP; in HDRP, whose lights have no interface for
-// shaders of others, it is shaded from above by a light of its own.
+// Solid things around a liquid, as in the samples: one colour, or tiles of two, lit by the main light, further lights and the ambient light.
+// Looks alike in the Built-in pipeline and in URP; in HDRP, whose lights have no interface for shaders of others, it is shaded from above by
+// a light of its own.
 Shader "SPH Fluid/Scenery"
 {
     Properties
@@ -28,6 +28,9 @@ Shader "SPH Fluid/Scenery"
             HLSLPROGRAM
             #pragma target 4.5
             #pragma multi_compile _ _MAIN_LIGHT_SHADOWS _MAIN_LIGHT_SHADOWS_CASCADE _MAIN_LIGHT_SHADOWS_SCREEN
+            #pragma multi_compile _ _ADDITIONAL_LIGHTS_VERTEX _ADDITIONAL_LIGHTS
+            #pragma multi_compile_fragment _ _ADDITIONAL_LIGHT_SHADOWS
+            #pragma multi_compile _ _CLUSTER_LIGHT_LOOP _FORWARD_PLUS
             #pragma vertex PlaceScenery
             #pragma fragment ShadeScenery
 
