@@ -18,13 +18,49 @@ float _ShadowStrength; // light that the shadow takes away, 0 to 1
 
 #define COARSEST_LEVEL 16.0 // beyond the last of any map, which stands for it
 
+#define SAME_DEPTH 0.02 // of the depth; within it things count as one
+
+// URP may halve or quarter its picture of the scene, whose pixels then mix what stands at an edge with what is behind it. Of the four around
+// a place those count whose middle lies as deep as the place, or all where none does.
+float3 CoarseSceneColour(float2 screen, float2 size)
+{
+    float depth = SceneEyeDepth(screen);
+    float2 first = floor(screen * size - 0.5);
+    float2 within = screen * size - 0.5 - first;
+    float4 sum = 0.0;
+    [loop]
+    for (uint i = 0u; i < 4u; i++)
+    {
+        float2 corner = float2(i % 2u, i / 2u);
+        float2 place = (first + corner + 0.5) / size;
+        float2 near = lerp(1.0 - within, within, corner);
+        float apart = abs(SceneEyeDepth(place) - depth) / (SAME_DEPTH * depth);
+        float weight = near.x * near.y * max(saturate(1.0 - apart), 1e-3) + 1e-6;
+        sum += float4(_CameraOpaqueTexture.SampleLevel(sampler_PointClamp, place, 0.0).rgb, 1.0) * weight;
+    }
+    return sum.rgb / sum.w;
+}
+
 float3 SceneColour(float2 screen)
 {
     float3 colour = 0.0;
+    [branch]
     if (_FluidScene.x == WATER_SCENE_COPY)
+    {
         colour = _FluidSceneColour.SampleLevel(sampler_LinearClamp, screen, 0.0).rgb;
+    }
     else
-        colour = _CameraOpaqueTexture.SampleLevel(sampler_LinearClamp, screen, 0.0).rgb;
+    {
+        float2 size = 1.0;
+        float2 whole = 1.0;
+        _CameraOpaqueTexture.GetDimensions(size.x, size.y);
+        _CameraDepthTexture.GetDimensions(whole.x, whole.y);
+        [branch]
+        if (size.x < whole.x)
+            colour = CoarseSceneColour(screen, size);
+        else
+            colour = _CameraOpaqueTexture.SampleLevel(sampler_LinearClamp, screen, 0.0).rgb;
+    }
     return colour;
 }
 
