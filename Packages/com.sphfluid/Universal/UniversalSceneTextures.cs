@@ -9,20 +9,18 @@ namespace SphFluid
     /// </summary>
     internal sealed class UniversalSceneTextures : ISceneTextureSource
     {
-        private readonly SceneTextureRequest request = new SceneTextureRequest();
+        private readonly BehindWaterPass pass = new BehindWaterPass();
 
         public SceneTextures Request(Camera camera)
         {
             ScriptableRenderer renderer = camera.GetUniversalAdditionalCameraData().scriptableRenderer;
             if (renderer == null) return default;
-            renderer.EnqueuePass(request);
+            renderer.EnqueuePass(pass);
             return new SceneTextures(SceneColourSource.OpaqueTexture, true);
         }
 
         // A renderer forgets its passes after each camera.
-        public void Release()
-        {
-        }
+        public void Release() => pass.Release();
 
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
 #if UNITY_EDITOR

@@ -26,16 +26,13 @@ namespace SphFluid
         /// <summary>
         /// Records what a camera that is about to draw copies: its picture so far, and the spray and whitewater that it sees.
         /// </summary>
-        public void RecordCopy(Camera camera, IReadOnlyList<IBehindWater> behind)
+        public void RecordCopy(Camera camera)
         {
             copy.Clear();
             copy.GetTemporaryRT(RenderShaderIds.FluidSceneColour, -1, -1, 0, FilterMode.Bilinear, RenderTextureFormat.DefaultHDR);
             copy.Blit(BuiltinRenderTextureType.CurrentActive, RenderShaderIds.FluidSceneColour);
             copy.SetRenderTarget(RenderShaderIds.FluidSceneColour);
-            for (int i = 0; i < behind.Count; i++)
-            {
-                if (behind[i].IsSeenBy(camera)) behind[i].RecordBehindWater(copy);
-            }
+            WaterCameras.RecordBehind(copy, camera, camera.pixelHeight);
         }
 
         public void Release()

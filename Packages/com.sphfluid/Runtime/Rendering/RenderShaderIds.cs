@@ -30,6 +30,7 @@ namespace SphFluid
         public static readonly int FluidThicknessSize = Shader.PropertyToID("_FluidThicknessSize");
         public static readonly int FluidThicknessView = Shader.PropertyToID("_FluidThicknessView");
         public static readonly int FluidScene = Shader.PropertyToID("_FluidScene");
+        public static readonly int FluidSceneHeight = Shader.PropertyToID("_FluidSceneHeight");
         public static readonly int FluidSceneColour = Shader.PropertyToID("_FluidSceneColour");
         public static readonly int FluidExtinction = Shader.PropertyToID("_FluidExtinction");
         public static readonly int FluidScattering = Shader.PropertyToID("_FluidScattering");

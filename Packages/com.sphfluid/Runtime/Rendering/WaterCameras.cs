@@ -65,6 +65,29 @@ namespace SphFluid
 
         public static void Remove(IBehindWater drawing) => behind.Remove(drawing);
 
+        /// <summary>Whether a camera sees something of this frame through water.</summary>
+        public static bool SeesBehind(Camera camera)
+        {
+            foreach (IBehindWater drawing in behind)
+            {
+                if (drawing.IsSeenBy(camera)) return true;
+            }
+            return false;
+        }
+
+        /// <summary>Records what a camera sees through water into the picture of the scene, which is the render target.</summary>
+        /// <param name="cmd">Where it is recorded.</param>
+        /// <param name="camera">The camera, whose matrices are set.</param>
+        /// <param name="height">Pixels of the picture's height.</param>
+        public static void RecordBehind(CommandBuffer cmd, Camera camera, int height)
+        {
+            cmd.SetGlobalFloat(RenderShaderIds.FluidSceneHeight, height);
+            foreach (IBehindWater drawing in behind)
+            {
+                if (drawing.IsSeenBy(camera)) drawing.RecordBehindWater(cmd);
+            }
+        }
+
         /// <summary>
         /// The thickness of the water that fills the domain of a drawing; null where no such water is drawn in this frame.
         /// </summary>
@@ -112,7 +135,7 @@ namespace SphFluid
         private static void PrepareBuiltIn(Camera camera)
         {
             if (!Record(camera, builtIn)) return;
-            builtIn.RecordCopy(camera, behind);
+            builtIn.RecordCopy(camera);
             Graphics.ExecuteCommandBuffer(cmd);
         }
 

@@ -5,8 +5,8 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>
-    /// Draws whitewater (Shaders/Whitewater/WhitewaterDrawing.hlsl): once after the water and, where the package copies the scene for the
-    /// water to refract, into that copy, where bubbles are seen.
+    /// Draws whitewater (Shaders/Whitewater/WhitewaterDrawing.hlsl): once after the water, and once into the picture of the scene that the
+    /// water refracts, where bubbles are seen.
     /// </summary>
     internal sealed class WhitewaterDrawing : IBehindWater, IDisposable
     {

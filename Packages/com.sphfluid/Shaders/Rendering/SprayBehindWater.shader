@@ -13,7 +13,7 @@ Shader "Hidden/SPH Fluid/Spray Behind Water"
 
             HLSLPROGRAM
             #pragma target 4.5
-            #pragma vertex ExpandDrop
+            #pragma vertex ExpandDropBehindWater
             #pragma fragment ShadeDropBehindWater
 
             #include "SprayDrops.hlsl"

@@ -131,7 +131,7 @@ float2 FirstLayerSpan(float2 screen)
 // refracts holds it then, so that it is neither drawn twice nor where a straight line would meet it.
 bool IsBeyondSurfaceFromWithin(float2 screen, float depth)
 {
-    return _FluidScene.x == WATER_SCENE_COPY && UnpairedFaces(screen) > 0.5 && depth > FirstLayerEnd(screen);
+    return _FluidScene.x != WATER_SCENE_NONE && UnpairedFaces(screen) > 0.5 && depth > FirstLayerEnd(screen);
 }
 
 // How thick the nearest layer is behind a point of the surface, metres along the camera's axis. Half floats place its end to a millimetre.
