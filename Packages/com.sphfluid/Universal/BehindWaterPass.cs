@@ -31,7 +31,7 @@ namespace SphFluid
 
         public override void OnCameraSetup(CommandBuffer cmd, ref RenderingData renderingData)
         {
-            if (!WaterCameras.SeesBehind(renderingData.cameraData.camera)) return;
+            if (!IsNeeded(renderingData.cameraData.camera)) return;
             RenderTextureDescriptor descriptor = renderingData.cameraData.cameraTargetDescriptor;
             descriptor.depthBufferBits = 0;
             descriptor.msaaSamples = 1;
@@ -42,16 +42,24 @@ namespace SphFluid
         public override void Execute(ScriptableRenderContext context, ref RenderingData renderingData)
         {
             Camera camera = renderingData.cameraData.camera;
-            if (!WaterCameras.SeesBehind(camera)) return;
+            if (!IsNeeded(camera)) return;
             CommandBuffer cmd = CommandBufferPool.Get();
             using (new ProfilingScope(cmd, sampler))
             {
+                if (camera.stereoEnabled) RecordEyes(cmd, camera, ViewsOf(renderingData.cameraData));
                 Blitter.BlitCameraTexture(cmd, renderingData.cameraData.renderer.cameraColorTargetHandle, copy);
                 WaterCameras.RecordBehind(cmd, camera, copy.rt.height);
                 cmd.SetGlobalTexture(opaqueTexture, copy.nameID);
             }
             context.ExecuteCommandBuffer(cmd);
             CommandBufferPool.Release(cmd);
+        }
+
+        private static CameraViews ViewsOf(in CameraData data)
+        {
+            var left = new CameraViews(data.GetViewMatrix(), data.GetProjectionMatrix());
+            return data.cameraTargetDescriptor.volumeDepth < 2 ? left
+                : new CameraViews(left.View(0), left.Projection(0), data.GetViewMatrix(1), data.GetProjectionMatrix(1));
         }
 
         public void Release()
@@ -66,15 +74,26 @@ namespace SphFluid
         }
 #endif
 
+        private static bool IsNeeded(Camera camera) => camera.stereoEnabled || WaterCameras.SeesBehind(camera);
+
+        // The eyes' matrices are known here alone. Those of the pass are put back.
+        private static void RecordEyes(CommandBuffer cmd, Camera camera, in CameraViews views)
+        {
+            WaterCameras.RecordThickness(cmd, camera, views);
+            cmd.SetViewProjectionMatrices(views.View(0), views.Projection(0));
+        }
+
 #if UNITY_6000_0_OR_NEWER
         public override void RecordRenderGraph(RenderGraph renderGraph, ContextContainer frameData)
         {
             var resources = frameData.Get<UniversalResourceData>();
-            Camera camera = frameData.Get<UniversalCameraData>().camera;
-            if (!WaterCameras.SeesBehind(camera) || !resources.cameraOpaqueTexture.IsValid()) return;
+            var cameraData = frameData.Get<UniversalCameraData>();
+            Camera camera = cameraData.camera;
+            if (!IsNeeded(camera) || !resources.cameraOpaqueTexture.IsValid()) return;
             using (IUnsafeRenderGraphBuilder builder = renderGraph.AddUnsafePass("Fluid Behind Water", out PassData data, sampler))
             {
                 data.Camera = camera;
+                data.Views = ViewsOf(cameraData);
                 data.Colour = resources.cameraOpaqueTexture;
                 data.Height = renderGraph.GetTextureDesc(data.Colour).height;
                 builder.UseTexture(data.Colour, AccessFlags.ReadWrite);
@@ -88,14 +107,24 @@ namespace SphFluid
 
         private static void Draw(PassData data, UnsafeGraphContext context)
         {
+            CommandBuffer cmd = CommandBufferHelpers.GetNativeCommandBuffer(context.cmd);
+            if (data.Camera.stereoEnabled) RecordEyes(cmd, data.Camera, data.Views);
             context.cmd.SetRenderTarget(
                 new RenderTargetIdentifier(data.Colour, 0, CubemapFace.Unknown, RenderTargetIdentifier.AllDepthSlices));
-            WaterCameras.RecordBehind(CommandBufferHelpers.GetNativeCommandBuffer(context.cmd), data.Camera, data.Height);
+            WaterCameras.RecordBehind(cmd, data.Camera, data.Height);
+        }
+
+        private static CameraViews ViewsOf(UniversalCameraData data)
+        {
+            var left = new CameraViews(data.GetViewMatrix(), data.GetProjectionMatrix());
+            return data.cameraTargetDescriptor.volumeDepth < 2 ? left
+                : new CameraViews(left.View(0), left.Projection(0), data.GetViewMatrix(1), data.GetProjectionMatrix(1));
         }
 
         private sealed class PassData
         {
             public Camera Camera;
+            public CameraViews Views;
             public TextureHandle Colour;
             public int Height;
         }

@@ -29,9 +29,21 @@ namespace SphFluid
         public void RecordCopy(Camera camera)
         {
             copy.Clear();
-            copy.GetTemporaryRT(RenderShaderIds.FluidSceneColour, -1, -1, 0, FilterMode.Bilinear, RenderTextureFormat.DefaultHDR);
-            copy.Blit(BuiltinRenderTextureType.CurrentActive, RenderShaderIds.FluidSceneColour);
-            copy.SetRenderTarget(RenderShaderIds.FluidSceneColour);
+            var target = new RenderTargetIdentifier(RenderShaderIds.FluidSceneColour);
+            if (EyeDraws.TryGetPicture(camera, out RenderTextureDescriptor both))
+            {
+                both.depthBufferBits = 0;
+                both.msaaSamples = 1;
+                both.colorFormat = RenderTextureFormat.DefaultHDR;
+                copy.GetTemporaryRT(RenderShaderIds.FluidSceneColour, both, FilterMode.Bilinear);
+                target = new RenderTargetIdentifier(target, 0, CubemapFace.Unknown, RenderTargetIdentifier.AllDepthSlices);
+            }
+            else
+            {
+                copy.GetTemporaryRT(RenderShaderIds.FluidSceneColour, -1, -1, 0, FilterMode.Bilinear, RenderTextureFormat.DefaultHDR);
+            }
+            copy.Blit(BuiltinRenderTextureType.CurrentActive, target);
+            copy.SetRenderTarget(target);
             WaterCameras.RecordBehind(copy, camera, camera.pixelHeight);
         }
 

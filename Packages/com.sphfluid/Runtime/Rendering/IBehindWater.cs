@@ -12,6 +12,8 @@ namespace SphFluid
         bool IsSeenBy(Camera camera);
 
         /// <summary>Records it into the picture of the scene, which is the render target, with the camera's matrices.</summary>
-        void RecordBehindWater(CommandBuffer cmd);
+        /// <param name="cmd">Where it is recorded.</param>
+        /// <param name="eye">1 for the right eye of a camera that draws both at once, else 0.</param>
+        void RecordBehindWater(CommandBuffer cmd, int eye);
     }
 }

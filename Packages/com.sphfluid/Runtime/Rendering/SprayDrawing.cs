@@ -43,7 +43,9 @@ namespace SphFluid
             Prepare(drawn, shutter, where, thickness);
             RenderParams parameters = placement.Parameters(front, block);
             parameters.shadowCastingMode = ShadowCastingMode.Off;
-            Graphics.RenderPrimitivesIndirect(parameters, MeshTopology.Triangles, spray.Arguments);
+            int times = EyeDraws.Begin();
+            for (int i = 0; i < times; i++)
+                Graphics.RenderPrimitivesIndirect(EyeDraws.Of(parameters, i), MeshTopology.Triangles, spray.Arguments);
         }
 
         /// <summary>As <see cref="Draw"/>, for what is recorded afterwards.</summary>
@@ -68,7 +70,11 @@ namespace SphFluid
             new ViewVolume(camera).Touches(placement.WorldBounds);
 
         /// <summary>Records the spray into the picture of the scene, which is the render target, with the camera's matrices.</summary>
-        public void RecordBehindWater(CommandBuffer cmd) => Record(cmd, behind);
+        public void RecordBehindWater(CommandBuffer cmd, int eye)
+        {
+            block.SetFloat(RenderShaderIds.FluidEye, eye);
+            Record(cmd, behind);
+        }
 
         /// <summary>Records the spray after the water, into the render target with its matrices.</summary>
         public void RecordAfterWater(CommandBuffer cmd) => Record(cmd, front);

@@ -84,7 +84,9 @@ namespace SphFluid
             cmd.SetGlobalFloat(RenderShaderIds.FluidSceneHeight, height);
             foreach (IBehindWater drawing in behind)
             {
-                if (drawing.IsSeenBy(camera)) drawing.RecordBehindWater(cmd);
+                if (!drawing.IsSeenBy(camera)) continue;
+                drawing.RecordBehindWater(cmd, 0);
+                if (EyeDraws.TryGetPicture(camera, out _)) drawing.RecordBehindWater(cmd, 1);
             }
         }
 
@@ -111,12 +113,14 @@ namespace SphFluid
         {
             cmd = new CommandBuffer { name = "Fluid Water" };
             Camera.onPreCull += PrepareBuiltIn;
+            Camera.onPreRender += PrepareEye;
             RenderPipelineManager.beginCameraRendering += PrepareScriptable;
         }
 
         private static void StopListening()
         {
             Camera.onPreCull -= PrepareBuiltIn;
+            Camera.onPreRender -= PrepareEye;
             RenderPipelineManager.beginCameraRendering -= PrepareScriptable;
             builtIn.Release();
             Universal?.Release();
@@ -139,6 +143,15 @@ namespace SphFluid
             Graphics.ExecuteCommandBuffer(cmd);
         }
 
+        // Multi-pass stereo: the eyes are culled once and drawn one after the other.
+        private static void PrepareEye(Camera camera)
+        {
+            if (!camera.stereoEnabled || EyeDraws.TryGetPicture(camera, out _)) return;
+            cmd.Clear();
+            RecordThickness(cmd, camera, CameraViews.Of(camera));
+            Graphics.ExecuteCommandBuffer(cmd);
+        }
+
         private static void PrepareScriptable(ScriptableRenderContext context, Camera camera)
         {
             bool universal = DrawPipeline.Active == DrawPipelineKind.Universal;
@@ -156,13 +169,20 @@ namespace SphFluid
             cmd.Clear();
             cmd.SetGlobalVector(RenderShaderIds.FluidScene, scene.ToVector());
             cmd.SetGlobalVector(RenderShaderIds.FluidThicknessView, new Vector4(size.x, size.y, 0f, 0f));
+            RecordThickness(cmd, camera, CameraViews.Of(camera));
+            return true;
+        }
+
+        /// <summary>Records every liquid's thickness as a camera sees it; leaves another render target and other matrices.</summary>
+        public static void RecordThickness(CommandBuffer cmd, Camera camera, in CameraViews views)
+        {
+            var size = new Vector2Int(camera.pixelWidth, camera.pixelHeight);
             foreach (ThicknessPass pass in passes)
             {
                 if (!pass.IsSeenBy(camera)) continue;
                 if (pass.IsNear(camera)) pass.NearAt = Time.frameCount;
-                pass.Record(cmd, camera.worldToCameraMatrix, camera.projectionMatrix, size);
+                pass.Record(cmd, views, size);
             }
-            return true;
         }
 
         private static void Widen(Camera camera) =>

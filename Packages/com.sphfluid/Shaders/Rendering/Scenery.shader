@@ -27,6 +27,7 @@ Shader "SPH Fluid/Scenery"
 
             HLSLPROGRAM
             #pragma target 4.5
+            #pragma multi_compile _ STEREO_INSTANCING_ON
             #pragma multi_compile _ _MAIN_LIGHT_SHADOWS _MAIN_LIGHT_SHADOWS_CASCADE _MAIN_LIGHT_SHADOWS_SCREEN
             #pragma multi_compile _ _ADDITIONAL_LIGHTS_VERTEX _ADDITIONAL_LIGHTS
             #pragma multi_compile_fragment _ _ADDITIONAL_LIGHT_SHADOWS
@@ -62,6 +63,7 @@ Shader "SPH Fluid/Scenery"
 
             HLSLPROGRAM
             #pragma target 4.5
+            #pragma multi_compile _ STEREO_INSTANCING_ON
             #pragma vertex PlaceScenery
             #pragma fragment ShowSceneryDepth
 
@@ -76,6 +78,7 @@ Shader "SPH Fluid/Scenery"
 
             HLSLPROGRAM
             #pragma target 4.5
+            #pragma multi_compile _ STEREO_INSTANCING_ON
             #pragma vertex PlaceScenery
             #pragma fragment ShowSceneryNormal
 
@@ -130,6 +133,7 @@ Shader "SPH Fluid/Scenery"
 
             HLSLPROGRAM
             #pragma target 4.5
+            #pragma multi_compile _ STEREO_INSTANCING_ON
             #pragma multi_compile_fwdbase nolightmap nodirlightmap nodynlightmap
             #pragma vertex PlaceScenery
             #pragma fragment ShadeScenery
@@ -149,6 +153,7 @@ Shader "SPH Fluid/Scenery"
 
             HLSLPROGRAM
             #pragma target 4.5
+            #pragma multi_compile _ STEREO_INSTANCING_ON
             #pragma multi_compile_fwdadd
             #pragma vertex PlaceScenery
             #pragma fragment AddLight

@@ -28,7 +28,7 @@ float4 _ScaledScreenParams; // xy: pixels of the picture
 float4 _ShadowBias;         // while shadows are cast; x: along the light, y: along the normal
 float3 _LightDirection;
 float3 _LightPosition;
-Texture2D<float> _ScreenSpaceShadowmapTexture;
+EYE_TEXTURE<float> _ScreenSpaceShadowmapTexture;
 SamplerState sampler_PointClamp;
 
 struct SceneryVertex
@@ -42,11 +42,14 @@ struct SceneryFragment
     float4 clipPosition : SV_Position;
     float3 world : TEXCOORD0;
     float3 normal : TEXCOORD1;
+    EYE_FIELD
 };
 
-SceneryFragment PlaceScenery(SceneryVertex input)
+SceneryFragment PlaceScenery(SceneryVertex input EYE_PARAMETER)
 {
+    EYE_OF_INSTANCE
     SceneryFragment output;
+    EYE_TO(output)
     output.world = mul(unity_ObjectToWorld, float4(input.position, 1.0)).xyz;
     output.normal = normalize(mul(input.normal, (float3x3)unity_WorldToObject));
     output.clipPosition = FluidClipPosition(output.world);
@@ -57,7 +60,7 @@ SceneryFragment PlaceScenery(SceneryVertex input)
 float MainLightVisible(float3 world, float4 clipPosition)
 {
 #if defined(_MAIN_LIGHT_SHADOWS_SCREEN)
-    return _ScreenSpaceShadowmapTexture.SampleLevel(sampler_PointClamp, clipPosition.xy / _ScaledScreenParams.xy, 0.0);
+    return _ScreenSpaceShadowmapTexture.SampleLevel(sampler_PointClamp, EyePlace(clipPosition.xy / _ScaledScreenParams.xy), 0.0);
 #elif defined(_MAIN_LIGHT_SHADOWS) || defined(_MAIN_LIGHT_SHADOWS_CASCADE)
 #if defined(_MAIN_LIGHT_SHADOWS_CASCADE)
     int cascade = MainLightCascade(world);
@@ -93,6 +96,7 @@ float3 SceneryLamps(float3 own, float3 normal, float3 view, float3 world)
 
 float4 ShadeScenery(SceneryFragment input) : SV_Target
 {
+    EYE_OF(input)
     float3 normal = normalize(input.normal);
     float3 view = normalize(_WorldSpaceCameraPos - input.world);
     float visible = MainLightReaches() * MainLightVisible(input.world, input.clipPosition);

@@ -25,6 +25,7 @@ struct DropFragment
     float3 across : TEXCOORD0; // xy: from the middle, in radii; z: half the length of the streak, in radii
     float3 world : TEXCOORD1;
     nointerpolation float4 colour : TEXCOORD2; // premultiplied
+    EYE_FIELD
 };
 
 // PCG (Jarzynski and Olano 2020, "Hash functions for GPU rendering"): three numbers from 0 to 1, of two.
@@ -85,6 +86,7 @@ DropFragment ExpandDropFor(uint vertexId, float height)
     float3 streak = (particle.velocity + 0.25 * length(particle.velocity) * spread) * (isMist ? 0.0 : _SprayShutter);
 
     DropFragment output;
+    EYE_TO(output)
     float3 world = FluidWorldPosition(centre);
     float3 axis = FluidWorldDirection(streak);
     float3 right = unity_MatrixV[0].xyz;
@@ -105,13 +107,15 @@ DropFragment ExpandDropFor(uint vertexId, float height)
     return output;
 }
 
-DropFragment ExpandDrop(uint vertexId : SV_VertexID)
+DropFragment ExpandDrop(uint vertexId : SV_VertexID EYE_PARAMETER)
 {
+    EYE_OF_INSTANCE
     return ExpandDropFor(vertexId, _FluidThicknessView.y);
 }
 
-DropFragment ExpandDropBehindWater(uint vertexId : SV_VertexID)
+DropFragment ExpandDropBehindWater(uint vertexId : SV_VertexID EYE_PARAMETER)
 {
+    EYE_OF_INSTANCE
     return ExpandDropFor(vertexId, _FluidSceneHeight);
 }
 
@@ -125,6 +129,7 @@ float4 ShadeDrop(DropFragment input)
 
 float4 ShadeDropBeforeWater(DropFragment input) : SV_Target
 {
+    EYE_OF(input)
     clip(IsBeyondSurfaceFromWithin(WaterScreen(input.world), WaterEyeDepth(input.world)) ? -1.0 : 1.0);
     return ShadeDrop(input);
 }
@@ -132,6 +137,7 @@ float4 ShadeDropBeforeWater(DropFragment input) : SV_Target
 // Into the picture of the scene that the water refracts, tested here as it has no depth of its own size: nothing behind the scene, nothing before the water.
 float4 ShadeDropBehindWater(DropFragment input) : SV_Target
 {
+    EYE_OF(input)
     float2 screen = WaterScreen(input.world);
     float depth = WaterEyeDepth(input.world);
     clip(min(SceneEyeDepth(screen) - depth, depth - FirstLayerEnd(screen)));

@@ -183,16 +183,22 @@ struct UniversalLightList
 UniversalLightList StartLights(float3 world, float2 screen)
 {
     uint words = (uint)_FPParams1.w;
-    uint2 tile = (uint2)(saturate(screen) * _FPParams1.xy);
+    uint2 at = (uint2)(saturate(screen) * _FPParams1.xy);
+    uint tile = at.y * (uint)_FPParams1.z + at.x;
     float depth = -dot(unity_MatrixV[2].xyz, world - _WorldSpaceCameraPos);
     float place = (unity_OrthoParams.w > 0.5 ? depth : log2(max(depth, 1e-6))) * _FPParams0.x + _FPParams0.y;
-    uint bin = min((uint)max(place, 0.0), (uint)_FPParams2.x - 1u) * (2u + words);
+    uint bin = min((uint)max(place, 0.0), (uint)_FPParams2.x - 1u);
+#if defined(STEREO_INSTANCING_ON)
+    tile += fluidEye * (uint)_FPParams2.y;
+    bin += fluidEye * (uint)_FPParams2.x;
+#endif
+    bin *= 2u + words;
     uint header = BinWord(bin);
 
     UniversalLightList list;
     list.directional = min((uint)_FPParams0.w, UNIVERSAL_MOST_LIGHTS);
     list.given = 0u;
-    list.tileWords = (tile.y * (uint)_FPParams1.z + tile.x) * words;
+    list.tileWords = tile * words;
     list.binWords = bin + 2u;
     list.first = header & 0xFFFFu;
     list.last = header >> 16u;

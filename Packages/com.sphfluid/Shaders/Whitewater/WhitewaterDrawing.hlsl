@@ -34,6 +34,7 @@ struct SpotFragment
     float3 world : TEXCOORD1;
     nointerpolation float4 colour : TEXCOORD2; // premultiplied
     float3 lace : TEXCOORD3; // xy: where the spot is cut from the lace; z: 1 of foam, else 0
+    EYE_FIELD
 };
 
 // Corners of a triangle around the unit circle.
@@ -119,6 +120,7 @@ SpotFragment ExpandSpot(uint vertexId, bool behind)
     cover = isSeen ? cover : 0.0;
 
     SpotFragment output;
+    EYE_TO(output)
     float2 corner = SpotCorner(vertexId % 3u);
     float2 offset = (axis * (corner.x * stretch) + float2(-axis.y, axis.x) * corner.y) * (cover > LEAST_COVER ? drawn : 0.0);
     output.world = world + along * offset.x + across * offset.y;
@@ -141,13 +143,15 @@ float4 ShadeSpot(SpotFragment input) : SV_Target
     return input.colour * density;
 }
 
-SpotFragment ExpandFrontSpot(uint vertexId : SV_VertexID)
+SpotFragment ExpandFrontSpot(uint vertexId : SV_VertexID EYE_PARAMETER)
 {
+    EYE_OF_INSTANCE
     return ExpandSpot(vertexId, false);
 }
 
-SpotFragment ExpandSpotBehindWater(uint vertexId : SV_VertexID)
+SpotFragment ExpandSpotBehindWater(uint vertexId : SV_VertexID EYE_PARAMETER)
 {
+    EYE_OF_INSTANCE
     return ExpandSpot(vertexId, true);
 }
 
