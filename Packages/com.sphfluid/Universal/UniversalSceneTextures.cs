@@ -10,7 +10,7 @@ namespace SphFluid
     /// </summary>
     internal sealed class UniversalSceneTextures : ISceneTextureSource
     {
-        private readonly SceneTextureRequest request = new SceneTextureRequest();
+        private readonly BehindWaterPass pass = new BehindWaterPass();
 
         public RendererLimit Limit => LimitOf((GraphicsSettings.currentRenderPipeline as UniversalRenderPipelineAsset)?.scriptableRenderer);
 
@@ -18,14 +18,12 @@ namespace SphFluid
         {
             ScriptableRenderer renderer = camera.GetUniversalAdditionalCameraData().scriptableRenderer;
             if (renderer == null || LimitOf(renderer) != RendererLimit.None) return default;
-            renderer.EnqueuePass(request);
+            renderer.EnqueuePass(pass);
             return new SceneTextures(SceneColourSource.OpaqueTexture, true);
         }
 
         // A renderer forgets its passes after each camera.
-        public void Release()
-        {
-        }
+        public void Release() => pass.Release();
 
         private static RendererLimit LimitOf(ScriptableRenderer renderer)
         {

@@ -28,16 +28,25 @@ namespace SphFluid
         /// <summary>
         /// Records what a camera that is about to draw copies: its picture so far, and the spray and whitewater that it sees.
         /// </summary>
-        public void RecordCopy(Camera camera, IReadOnlyList<IBehindWater> behind)
+        public void RecordCopy(Camera camera)
         {
             copy.Clear();
-            copy.GetTemporaryRT(RenderShaderIds.FluidSceneColour, -1, -1, 0, FilterMode.Bilinear, RenderTextureFormat.DefaultHDR);
-            copy.Blit(BuiltinRenderTextureType.CurrentActive, RenderShaderIds.FluidSceneColour);
-            copy.SetRenderTarget(RenderShaderIds.FluidSceneColour);
-            for (int i = 0; i < behind.Count; i++)
+            var target = new RenderTargetIdentifier(RenderShaderIds.FluidSceneColour);
+            if (EyeDraws.TryGetPicture(camera, out RenderTextureDescriptor both))
             {
-                if (behind[i].IsSeenBy(camera)) behind[i].RecordBehindWater(copy);
+                both.depthBufferBits = 0;
+                both.msaaSamples = 1;
+                both.colorFormat = RenderTextureFormat.DefaultHDR;
+                copy.GetTemporaryRT(RenderShaderIds.FluidSceneColour, both, FilterMode.Bilinear);
+                target = new RenderTargetIdentifier(target, 0, CubemapFace.Unknown, RenderTargetIdentifier.AllDepthSlices);
             }
+            else
+            {
+                copy.GetTemporaryRT(RenderShaderIds.FluidSceneColour, -1, -1, 0, FilterMode.Bilinear, RenderTextureFormat.DefaultHDR);
+            }
+            copy.Blit(BuiltinRenderTextureType.CurrentActive, target);
+            copy.SetRenderTarget(target);
+            WaterCameras.RecordBehind(copy, camera, camera.pixelHeight);
         }
 
         public void Release()

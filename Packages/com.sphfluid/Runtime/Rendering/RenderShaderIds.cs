@@ -10,6 +10,7 @@ namespace SphFluid
         public static readonly int FluidLightColour = Shader.PropertyToID("_FluidLightColour");
         public static readonly int FluidAmbient = Shader.PropertyToID("_FluidAmbient");
         public static readonly int FluidShadowClamp = Shader.PropertyToID("_FluidShadowClamp");
+        public static readonly int FluidEye = Shader.PropertyToID("_FluidEye");
         public static readonly int FluidReceived = Shader.PropertyToID("_FluidReceived");
         public static readonly int FluidShadowSource = Shader.PropertyToID("_FluidShadowSource");
         public static readonly int FluidShadowMap = Shader.PropertyToID("_FluidShadowMap");
@@ -27,9 +28,11 @@ namespace SphFluid
         public static readonly int FluidReflection = Shader.PropertyToID("_FluidReflection");
         public static readonly int FluidReflectionDecode = Shader.PropertyToID("_FluidReflectionDecode");
         public static readonly int FluidThickness = Shader.PropertyToID("_FluidThickness");
+        public static readonly int FluidThicknessEyes = Shader.PropertyToID("_FluidThicknessEyes");
         public static readonly int FluidThicknessSize = Shader.PropertyToID("_FluidThicknessSize");
         public static readonly int FluidThicknessView = Shader.PropertyToID("_FluidThicknessView");
         public static readonly int FluidScene = Shader.PropertyToID("_FluidScene");
+        public static readonly int FluidSceneHeight = Shader.PropertyToID("_FluidSceneHeight");
         public static readonly int FluidSceneColour = Shader.PropertyToID("_FluidSceneColour");
         public static readonly int FluidExtinction = Shader.PropertyToID("_FluidExtinction");
         public static readonly int FluidScattering = Shader.PropertyToID("_FluidScattering");

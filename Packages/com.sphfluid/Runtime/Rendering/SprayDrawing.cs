@@ -5,8 +5,8 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>
-    /// Draws particles that left the surface as clusters of small drops (Shaders/Rendering/SprayDrops.hlsl): once after the water, and,
-    /// where the package copies the scene for the water to refract, into that copy, so that a sheet of water in front does not hide them.
+    /// Draws particles that left the surface as clusters of small drops (Shaders/Rendering/SprayDrops.hlsl): once after the water, and once
+    /// into the picture of the scene that the water refracts, so that a sheet of water in front does not hide them.
     /// </summary>
     internal sealed class SprayDrawing : IBehindWater, IDisposable
     {
@@ -43,7 +43,9 @@ namespace SphFluid
             Prepare(drawn, shutter, where, thickness);
             RenderParams parameters = placement.Parameters(front, block);
             parameters.shadowCastingMode = ShadowCastingMode.Off;
-            Graphics.RenderPrimitivesIndirect(parameters, MeshTopology.Triangles, spray.Arguments);
+            int times = EyeDraws.Begin();
+            for (int i = 0; i < times; i++)
+                Graphics.RenderPrimitivesIndirect(EyeDraws.Of(parameters, i), MeshTopology.Triangles, spray.Arguments);
         }
 
         /// <summary>As <see cref="Draw"/>, for what is recorded afterwards.</summary>
@@ -67,8 +69,12 @@ namespace SphFluid
         public bool IsSeenBy(Camera camera) => preparedAt == Time.frameCount && (camera.cullingMask & (1 << placement.Layer)) != 0 &&
             new ViewVolume(camera).Touches(placement.WorldBounds);
 
-        /// <summary>Records the spray into the scene's copy, which is the render target, with the camera's matrices.</summary>
-        public void RecordBehindWater(CommandBuffer cmd) => Record(cmd, behind);
+        /// <summary>Records the spray into the picture of the scene, which is the render target, with the camera's matrices.</summary>
+        public void RecordBehindWater(CommandBuffer cmd, int eye)
+        {
+            block.SetFloat(RenderShaderIds.FluidEye, eye);
+            Record(cmd, behind);
+        }
 
         /// <summary>Records the spray after the water, into the render target with its matrices.</summary>
         public void RecordAfterWater(CommandBuffer cmd) => Record(cmd, front);

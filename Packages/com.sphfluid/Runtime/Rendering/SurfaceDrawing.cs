@@ -44,8 +44,15 @@ namespace SphFluid
 
         public virtual void Dispose() => OwnedObject.Destroy(ref material);
 
-        protected static void Render(in RenderParams parameters, in SurfaceBuffers surface) =>
-            Graphics.RenderPrimitivesIndexedIndirect(parameters, MeshTopology.Triangles, surface.Indices, surface.Arguments);
+        protected static void Render(in RenderParams parameters, in SurfaceBuffers surface)
+        {
+            int times = EyeDraws.Begin();
+            for (int i = 0; i < times; i++)
+            {
+                Graphics.RenderPrimitivesIndexedIndirect(EyeDraws.Of(parameters, i), MeshTopology.Triangles, surface.Indices,
+                    surface.Arguments);
+            }
+        }
 
         /// <summary>Fills what every look needs.</summary>
         public void Fill(in SurfaceBuffers surface, in SurfaceGrid grid, SurfaceWalls walls, in DrawPlacement placement)

@@ -19,6 +19,7 @@ namespace SphFluid
         private readonly MaterialPropertyBlock block = new MaterialPropertyBlock();
         private Material material;
         private RenderTexture texture;
+        private RenderTexture eyes;
         private SurfaceBuffers surface;
         private int divisor = 1;
         private int preparedAt = -1;
@@ -42,6 +43,9 @@ namespace SphFluid
         /// alpha: minus the depth of the nearest far face [m].</summary>
         public RenderTexture Texture => texture;
 
+        /// <summary>The same of both eyes, in two slices, once a camera has drawn both at once; else null.</summary>
+        public RenderTexture Eyes => eyes;
+
         /// <summary>The last frame in which a camera that drew the liquid was near it, <see cref="IsNear"/>.</summary>
         public int NearAt { get; set; } = -1;
 
@@ -64,13 +68,15 @@ namespace SphFluid
             DrawPipeline.Prepare(material, placement.Pipeline);
             block.SetBuffer(SurfaceBuffers.VerticesId, surface.Vertices);
             block.SetMatrix(RenderShaderIds.FluidLocalToWorld, placement.LocalToWorld);
-            Fit(ViewSize(largestView));
+            Fit(ref texture, ViewSize(largestView), 1);
+            if (eyes != null || EyeDraws.Begin() > 1) Fit(ref eyes, ViewSize(largestView), 2);
         }
 
         /// <summary>Sets the texture for the draw that reads it.</summary>
         public void Apply(MaterialPropertyBlock properties)
         {
             properties.SetTexture(RenderShaderIds.FluidThickness, texture);
+            if (eyes != null) properties.SetTexture(RenderShaderIds.FluidThicknessEyes, eyes);
             properties.SetVector(RenderShaderIds.FluidThicknessSize, new Vector4(texture.width, texture.height, divisor, 0f));
         }
 
@@ -96,14 +102,28 @@ namespace SphFluid
 
         /// <summary>Records the thickness as one camera sees it; nothing if no surface was given in this frame.</summary>
         /// <param name="cmd">Where it is recorded.</param>
-        /// <param name="view">World to camera.</param>
-        /// <param name="projection">The camera's projection.</param>
+        /// <param name="views">The matrices that it draws with.</param>
         /// <param name="size">Pixels of the camera's picture.</param>
-        public void Record(CommandBuffer cmd, Matrix4x4 view, Matrix4x4 projection, Vector2Int size)
+        public void Record(CommandBuffer cmd, in CameraViews views, Vector2Int size)
         {
             if (preparedAt != Time.frameCount) return;
+            if (views.Count == 1)
+            {
+                Record(cmd, texture, views.View(0), views.Projection(0), size);
+                return;
+            }
+            if (eyes == null) Fit(ref eyes, new Vector2Int(texture.width, texture.height), views.Count);
+            for (int eye = 0; eye < views.Count; eye++)
+            {
+                var slice = new RenderTargetIdentifier(eyes, 0, CubemapFace.Unknown, eye);
+                Record(cmd, slice, views.View(eye), views.Projection(eye), size);
+            }
+        }
+
+        private void Record(CommandBuffer cmd, RenderTargetIdentifier target, Matrix4x4 view, Matrix4x4 projection, Vector2Int size)
+        {
             Vector2Int part = ViewSize(size);
-            cmd.SetRenderTarget(texture);
+            cmd.SetRenderTarget(target);
             cmd.ClearRenderTarget(false, true, new Color(0f, 0f, 0f, NoFarFace));
             cmd.SetViewport(new Rect(0f, 0f, Mathf.Min(part.x, texture.width), Mathf.Min(part.y, texture.height)));
             cmd.SetViewProjectionMatrices(view, projection);
@@ -114,19 +134,22 @@ namespace SphFluid
         public void Dispose()
         {
             OwnedObject.Destroy(ref material);
-            Release();
+            Release(ref texture);
+            Release(ref eyes);
         }
 
         // Half of an odd number is rounded up, e.g. 5 pixels to 3.
         private Vector2Int ViewSize(Vector2Int size) => new Vector2Int((size.x + divisor - 1) / divisor, (size.y + divisor - 1) / divisor);
 
-        private void Fit(Vector2Int size)
+        private static void Fit(ref RenderTexture texture, Vector2Int size, int slices)
         {
             if (texture != null && texture.width == size.x && texture.height == size.y) return;
-            Release();
+            Release(ref texture);
             texture = new RenderTexture(size.x, size.y, 0, Format, RenderTextureReadWrite.Linear)
             {
                 name = "Water Thickness",
+                dimension = slices > 1 ? TextureDimension.Tex2DArray : TextureDimension.Tex2D,
+                volumeDepth = slices,
                 filterMode = FilterMode.Bilinear,
                 wrapMode = TextureWrapMode.Clamp,
                 hideFlags = HideFlags.HideAndDontSave,
@@ -134,7 +157,7 @@ namespace SphFluid
             texture.Create();
         }
 
-        private void Release()
+        private static void Release(ref RenderTexture texture)
         {
             if (texture != null) texture.Release();
             OwnedObject.Destroy(ref texture);

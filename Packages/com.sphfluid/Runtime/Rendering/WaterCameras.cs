@@ -65,6 +65,31 @@ namespace SphFluid
 
         public static void Remove(IBehindWater drawing) => behind.Remove(drawing);
 
+        /// <summary>Whether a camera sees something of this frame through water.</summary>
+        public static bool SeesBehind(Camera camera)
+        {
+            foreach (IBehindWater drawing in behind)
+            {
+                if (drawing.IsSeenBy(camera)) return true;
+            }
+            return false;
+        }
+
+        /// <summary>Records what a camera sees through water into the picture of the scene, which is the render target.</summary>
+        /// <param name="cmd">Where it is recorded.</param>
+        /// <param name="camera">The camera, whose matrices are set.</param>
+        /// <param name="height">Pixels of the picture's height.</param>
+        public static void RecordBehind(CommandBuffer cmd, Camera camera, int height)
+        {
+            cmd.SetGlobalFloat(RenderShaderIds.FluidSceneHeight, height);
+            foreach (IBehindWater drawing in behind)
+            {
+                if (!drawing.IsSeenBy(camera)) continue;
+                drawing.RecordBehindWater(cmd, 0);
+                if (EyeDraws.TryGetPicture(camera, out _)) drawing.RecordBehindWater(cmd, 1);
+            }
+        }
+
         /// <summary>
         /// The thickness of the water that fills the domain of a drawing; null where no such water is drawn in this frame.
         /// </summary>
@@ -88,12 +113,14 @@ namespace SphFluid
         {
             cmd = new CommandBuffer { name = "Fluid Water" };
             Camera.onPreCull += PrepareBuiltIn;
+            Camera.onPreRender += PrepareEye;
             RenderPipelineManager.beginCameraRendering += PrepareScriptable;
         }
 
         private static void StopListening()
         {
             Camera.onPreCull -= PrepareBuiltIn;
+            Camera.onPreRender -= PrepareEye;
             RenderPipelineManager.beginCameraRendering -= PrepareScriptable;
             builtIn.Release();
             Universal?.Release();
@@ -112,7 +139,16 @@ namespace SphFluid
         private static void PrepareBuiltIn(Camera camera)
         {
             if (!Record(camera, builtIn)) return;
-            builtIn.RecordCopy(camera, behind);
+            builtIn.RecordCopy(camera);
+            Graphics.ExecuteCommandBuffer(cmd);
+        }
+
+        // Multi-pass stereo: the eyes are culled once and drawn one after the other.
+        private static void PrepareEye(Camera camera)
+        {
+            if (!camera.stereoEnabled || EyeDraws.TryGetPicture(camera, out _)) return;
+            cmd.Clear();
+            RecordThickness(cmd, camera, CameraViews.Of(camera));
             Graphics.ExecuteCommandBuffer(cmd);
         }
 
@@ -133,13 +169,20 @@ namespace SphFluid
             cmd.Clear();
             cmd.SetGlobalVector(RenderShaderIds.FluidScene, scene.ToVector());
             cmd.SetGlobalVector(RenderShaderIds.FluidThicknessView, new Vector4(size.x, size.y, 0f, 0f));
+            RecordThickness(cmd, camera, CameraViews.Of(camera));
+            return true;
+        }
+
+        /// <summary>Records every liquid's thickness as a camera sees it; leaves another render target and other matrices.</summary>
+        public static void RecordThickness(CommandBuffer cmd, Camera camera, in CameraViews views)
+        {
+            var size = new Vector2Int(camera.pixelWidth, camera.pixelHeight);
             foreach (ThicknessPass pass in passes)
             {
                 if (!pass.IsSeenBy(camera)) continue;
                 if (pass.IsNear(camera)) pass.NearAt = Time.frameCount;
-                pass.Record(cmd, camera.worldToCameraMatrix, camera.projectionMatrix, size);
+                pass.Record(cmd, views, size);
             }
-            return true;
         }
 
         private static void Widen(Camera camera) =>

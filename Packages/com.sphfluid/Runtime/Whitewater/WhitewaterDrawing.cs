@@ -5,8 +5,8 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>
-    /// Draws whitewater (Shaders/Whitewater/WhitewaterDrawing.hlsl): once after the water and, where the package copies the scene for the
-    /// water to refract, into that copy, where bubbles are seen.
+    /// Draws whitewater (Shaders/Whitewater/WhitewaterDrawing.hlsl): once after the water, and once into the picture of the scene that the
+    /// water refracts, where bubbles are seen.
     /// </summary>
     internal sealed class WhitewaterDrawing : IBehindWater, IDisposable
     {
@@ -57,7 +57,9 @@ namespace SphFluid
             WaterCameras.ThicknessOf(where)?.Apply(block);
             RenderParams parameters = placement.Parameters(front, block);
             parameters.shadowCastingMode = ShadowCastingMode.Off;
-            Graphics.RenderPrimitivesIndirect(parameters, MeshTopology.Triangles, buffers.DrawArguments);
+            int times = EyeDraws.Begin();
+            for (int i = 0; i < times; i++)
+                Graphics.RenderPrimitivesIndirect(EyeDraws.Of(parameters, i), MeshTopology.Triangles, buffers.DrawArguments);
         }
 
         /// <summary>Sets what is drawn and where, as <see cref="Draw"/> has it, for <see cref="Record"/>.</summary>
@@ -87,11 +89,12 @@ namespace SphFluid
             new ViewVolume(camera).Touches(placement.WorldBounds);
 
         /// <inheritdoc/>
-        public void RecordBehindWater(CommandBuffer cmd)
+        public void RecordBehindWater(CommandBuffer cmd, int eye)
         {
             ThicknessPass thickness = WaterCameras.ThicknessOf(placement);
             if (thickness == null) return;
             thickness.Apply(block);
+            block.SetFloat(RenderShaderIds.FluidEye, eye);
             cmd.DrawProceduralIndirect(Matrix4x4.identity, behind, 0, MeshTopology.Triangles, buffers.DrawArguments, 0, block);
         }
 

@@ -24,6 +24,7 @@ Shader "SPH Fluid/Particles"
 
             HLSLPROGRAM
             #pragma target 4.5
+            #pragma multi_compile _ STEREO_INSTANCING_ON
             #pragma multi_compile_local _ FLUID_HDRP
             #pragma vertex ExpandSquare
             #pragma fragment ShadeSquare
@@ -63,6 +64,7 @@ Shader "SPH Fluid/Particles"
 
             HLSLPROGRAM
             #pragma target 4.5
+            #pragma multi_compile _ STEREO_INSTANCING_ON
             #pragma multi_compile_local _ FLUID_HDRP
             #pragma vertex ExpandSquare
             #pragma fragment ShowSquareDepth
@@ -82,6 +84,7 @@ Shader "SPH Fluid/Particles"
 
             HLSLPROGRAM
             #pragma target 4.5
+            #pragma multi_compile _ STEREO_INSTANCING_ON
             #pragma vertex ExpandSquare
             #pragma fragment ShowSquareNormal
 

@@ -8,9 +8,8 @@
 #define FLUID_REVERSED_Z 1
 #endif
 
-float4x4 unity_MatrixV;
-float4x4 unity_MatrixVP;
-float3 _WorldSpaceCameraPos;  // absolute in every pipeline
+#include "Eyes.hlsl"
+
 float4 unity_LightShadowBias; // Built-in; x: depth bias in clip space, y: 1 for directional lights
 
 float4x4 _FluidLocalToWorld;  // simulation space to world space: rotation and translation

@@ -22,6 +22,7 @@ Shader "SPH Fluid/Surface"
 
             HLSLPROGRAM
             #pragma target 4.5
+            #pragma multi_compile _ STEREO_INSTANCING_ON
             #pragma multi_compile_local _ FLUID_HDRP
             #pragma vertex FetchSurface
             #pragma fragment ShadeSurface
@@ -63,6 +64,7 @@ Shader "SPH Fluid/Surface"
 
             HLSLPROGRAM
             #pragma target 4.5
+            #pragma multi_compile _ STEREO_INSTANCING_ON
             #pragma multi_compile_local _ FLUID_HDRP
             #pragma vertex FetchSurface
             #pragma fragment ShowSurfaceDepth
@@ -83,6 +85,7 @@ Shader "SPH Fluid/Surface"
 
             HLSLPROGRAM
             #pragma target 4.5
+            #pragma multi_compile _ STEREO_INSTANCING_ON
             #pragma vertex FetchSurface
             #pragma fragment ShowSurfaceNormal
 

@@ -23,6 +23,7 @@ Shader "SPH Fluid/Water"
 
             HLSLPROGRAM
             #pragma target 4.5
+            #pragma multi_compile _ STEREO_INSTANCING_ON
             #pragma multi_compile_local _ FLUID_HDRP
             #pragma vertex FetchSurface
             #pragma fragment ShadeWater

@@ -20,11 +20,14 @@ struct PaneFragment
     float4 clipPosition : SV_Position;
     float3 world : TEXCOORD0;
     float3 normal : TEXCOORD1;
+    EYE_FIELD
 };
 
-PaneFragment PlacePane(PaneVertex input)
+PaneFragment PlacePane(PaneVertex input EYE_PARAMETER)
 {
+    EYE_OF_INSTANCE
     PaneFragment output;
+    EYE_TO(output)
     output.world = mul(unity_ObjectToWorld, float4(input.position, 1.0)).xyz;
     output.clipPosition = FluidClipPosition(output.world);
     output.normal = mul(input.normal, (float3x3)unity_WorldToObject);
@@ -33,6 +36,7 @@ PaneFragment PlacePane(PaneVertex input)
 
 float4 ShadePane(PaneFragment input) : SV_Target
 {
+    EYE_OF(input)
     float3 view = normalize(_WorldSpaceCameraPos - input.world);
     float grazing = 1.0 - saturate(abs(dot(normalize(input.normal), view)));
     float squared = grazing * grazing;

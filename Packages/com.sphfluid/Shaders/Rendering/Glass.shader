@@ -45,6 +45,7 @@ Shader "SPH Fluid/Glass"
 
             HLSLPROGRAM
             #pragma target 4.5
+            #pragma multi_compile _ STEREO_INSTANCING_ON
             #pragma vertex PlacePane
             #pragma fragment ShadePane
 
@@ -67,6 +68,7 @@ Shader "SPH Fluid/Glass"
 
             HLSLPROGRAM
             #pragma target 4.5
+            #pragma multi_compile _ STEREO_INSTANCING_ON
             #pragma vertex PlacePane
             #pragma fragment ShadePane
 

@@ -24,6 +24,7 @@ struct SquareFragment
     float3 world : TEXCOORD0;
     float2 uv : TEXCOORD1;
     float3 colour : TEXCOORD2;
+    EYE_FIELD
 };
 
 // Corners of two triangles, clockwise: (0,0) (0,1) (1,1) and (0,0) (1,1) (1,0).
@@ -34,13 +35,15 @@ float2 SquareCorner(uint index)
     return float2(x, y);
 }
 
-SquareFragment ExpandSquare(uint vertexId : SV_VertexID)
+SquareFragment ExpandSquare(uint vertexId : SV_VertexID EYE_PARAMETER)
 {
+    EYE_OF_INSTANCE
     Particle particle = _Particles[vertexId / 6];
     float2 uv = SquareCorner(vertexId % 6);
     float2 offset = (uv - 0.5) * (particle.Removed == 0.0 ? _ParticleSize : 0.0); // one that left the domain covers nothing
 
     SquareFragment output;
+    EYE_TO(output)
     output.world = FluidWorldPosition(particle.Position) + unity_MatrixV[0].xyz * offset.x + unity_MatrixV[1].xyz * offset.y;
     output.uv = uv;
     float share = _FastSpeed > 0.0 ? saturate(length(particle.VelT1) / _FastSpeed) : 0.0;
@@ -71,6 +74,7 @@ float3 BallNormal(float2 uv)
 
 float4 ShadeSquare(SquareFragment input) : SV_Target
 {
+    EYE_OF(input)
     float4 sprite = SampleSprite(input.uv);
     float3 normal = BallNormal(input.uv);
     float3 view = normalize(_WorldSpaceCameraPos - input.world);
@@ -95,6 +99,7 @@ float4 ShowSquareDepth(SquareFragment input) : SV_Target
 
 float4 ShowSquareNormal(SquareFragment input) : SV_Target
 {
+    EYE_OF(input)
     SampleSprite(input.uv);
     return float4(BallNormal(input.uv), 0.0);
 }

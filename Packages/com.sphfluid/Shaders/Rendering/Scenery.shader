@@ -1,6 +1,6 @@
-// Solid things around a liquid, as in the samples: one colour, or tiles of two, lit by the main light and the ambient light, in the
-// Built-in pipeline by further lights as well. Looks alike in the Built-in pipeline and in URP; in HDRP, whose lights have no interface for
-// shaders of others, it is shaded from above by a light of its own.
+// Solid things around a liquid, as in the samples: one colour, or tiles of two, lit by the main light, further lights and the ambient light.
+// Looks alike in the Built-in pipeline and in URP; in HDRP, whose lights have no interface for shaders of others, it is shaded from above by
+// a light of its own.
 Shader "SPH Fluid/Scenery"
 {
     Properties
@@ -27,7 +27,11 @@ Shader "SPH Fluid/Scenery"
 
             HLSLPROGRAM
             #pragma target 4.5
+            #pragma multi_compile _ STEREO_INSTANCING_ON
             #pragma multi_compile _ _MAIN_LIGHT_SHADOWS _MAIN_LIGHT_SHADOWS_CASCADE _MAIN_LIGHT_SHADOWS_SCREEN
+            #pragma multi_compile _ _ADDITIONAL_LIGHTS_VERTEX _ADDITIONAL_LIGHTS
+            #pragma multi_compile_fragment _ _ADDITIONAL_LIGHT_SHADOWS
+            #pragma multi_compile _ _CLUSTER_LIGHT_LOOP _FORWARD_PLUS
             #pragma vertex PlaceScenery
             #pragma fragment ShadeScenery
 
@@ -59,6 +63,7 @@ Shader "SPH Fluid/Scenery"
 
             HLSLPROGRAM
             #pragma target 4.5
+            #pragma multi_compile _ STEREO_INSTANCING_ON
             #pragma vertex PlaceScenery
             #pragma fragment ShowSceneryDepth
 
@@ -73,6 +78,7 @@ Shader "SPH Fluid/Scenery"
 
             HLSLPROGRAM
             #pragma target 4.5
+            #pragma multi_compile _ STEREO_INSTANCING_ON
             #pragma vertex PlaceScenery
             #pragma fragment ShowSceneryNormal
 
@@ -127,6 +133,7 @@ Shader "SPH Fluid/Scenery"
 
             HLSLPROGRAM
             #pragma target 4.5
+            #pragma multi_compile _ STEREO_INSTANCING_ON
             #pragma multi_compile_fwdbase nolightmap nodirlightmap nodynlightmap
             #pragma vertex PlaceScenery
             #pragma fragment ShadeScenery
@@ -146,6 +153,7 @@ Shader "SPH Fluid/Scenery"
 
             HLSLPROGRAM
             #pragma target 4.5
+            #pragma multi_compile _ STEREO_INSTANCING_ON
             #pragma multi_compile_fwdadd
             #pragma vertex PlaceScenery
             #pragma fragment AddLight

@@ -13,6 +13,7 @@ struct SceneryVertex
 {
     float4 vertex : POSITION;
     float3 normal : NORMAL;
+    UNITY_VERTEX_INPUT_INSTANCE_ID
 };
 
 struct SceneryFragment
@@ -28,12 +29,15 @@ struct SceneryFragment
 #if defined(VERTEXLIGHT_ON)
     float3 vertexLight : TEXCOORD3; // of lights that are not drawn per pixel
 #endif
+    UNITY_VERTEX_OUTPUT_STEREO
 };
 
 SceneryFragment PlaceScenery(SceneryVertex v)
 {
     SceneryFragment o;
+    UNITY_SETUP_INSTANCE_ID(v);
     UNITY_INITIALIZE_OUTPUT(SceneryFragment, o);
+    UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(o);
     o.pos = UnityObjectToClipPos(v.vertex.xyz);
     o.world = mul(unity_ObjectToWorld, v.vertex).xyz;
     o.normal = UnityObjectToWorldNormal(v.normal);
@@ -53,6 +57,7 @@ SceneryFragment PlaceScenery(SceneryVertex v)
 
 float4 ShadeScenery(SceneryFragment i) : SV_Target
 {
+    UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(i);
     float3 normal = normalize(i.normal);
     float3 view = normalize(_WorldSpaceCameraPos.xyz - i.world);
     float visible = SHADOW_ATTENUATION(i);
@@ -67,6 +72,7 @@ float4 ShadeScenery(SceneryFragment i) : SV_Target
 
 float4 AddLight(SceneryFragment i) : SV_Target
 {
+    UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(i);
     float3 normal = normalize(i.normal);
     float3 view = normalize(_WorldSpaceCameraPos.xyz - i.world);
     float3 light = normalize(UnityWorldSpaceLightDir(i.world));

@@ -15,17 +15,20 @@ float4 unity_SHBg;
 float4 unity_SHBb;
 float4 unity_SHC;
 
+float4 unity_OrthoParams; // w: 1 for an orthographic camera
+float4 _ProjectionParams; // x: -1 where the picture is drawn upside down
+
 #include "SceneryShading.hlsl"
 #include "UniversalShadows.hlsl"
+#include "UniversalLights.hlsl"
 
 float4 _MainLightPosition; // xyz: unit vector to the light
 float4 _MainLightColor;
-float4 _MainLightShadowmapSize;        // xy: a texel
-float4 _ScaledScreenParams;            // xy: pixels of the picture
-float4 _ShadowBias;                    // while shadows are cast; x: along the light, y: along the normal
+float4 _ScaledScreenParams; // xy: pixels of the picture
+float4 _ShadowBias;         // while shadows are cast; x: along the light, y: along the normal
 float3 _LightDirection;
 float3 _LightPosition;
-Texture2D<float> _ScreenSpaceShadowmapTexture;
+EYE_TEXTURE<float> _ScreenSpaceShadowmapTexture;
 SamplerState sampler_PointClamp;
 
 struct SceneryVertex
@@ -39,11 +42,14 @@ struct SceneryFragment
     float4 clipPosition : SV_Position;
     float3 world : TEXCOORD0;
     float3 normal : TEXCOORD1;
+    EYE_FIELD
 };
 
-SceneryFragment PlaceScenery(SceneryVertex input)
+SceneryFragment PlaceScenery(SceneryVertex input EYE_PARAMETER)
 {
+    EYE_OF_INSTANCE
     SceneryFragment output;
+    EYE_TO(output)
     output.world = mul(unity_ObjectToWorld, float4(input.position, 1.0)).xyz;
     output.normal = normalize(mul(input.normal, (float3x3)unity_WorldToObject));
     output.clipPosition = FluidClipPosition(output.world);
@@ -54,7 +60,7 @@ SceneryFragment PlaceScenery(SceneryVertex input)
 float MainLightVisible(float3 world, float4 clipPosition)
 {
 #if defined(_MAIN_LIGHT_SHADOWS_SCREEN)
-    return _ScreenSpaceShadowmapTexture.SampleLevel(sampler_PointClamp, clipPosition.xy / _ScaledScreenParams.xy, 0.0);
+    return _ScreenSpaceShadowmapTexture.SampleLevel(sampler_PointClamp, EyePlace(clipPosition.xy / _ScaledScreenParams.xy), 0.0);
 #elif defined(_MAIN_LIGHT_SHADOWS) || defined(_MAIN_LIGHT_SHADOWS_CASCADE)
 #if defined(_MAIN_LIGHT_SHADOWS_CASCADE)
     int cascade = MainLightCascade(world);
@@ -62,32 +68,41 @@ float MainLightVisible(float3 world, float4 clipPosition)
     int cascade = 0;
 #endif
     float3 place = mul(_MainLightWorldToShadow[cascade], float4(world, 1.0)).xyz;
-    float sum = 0.0;
-    [unroll]
-    for (int y = -1; y <= 1; y++)
-    {
-        [unroll]
-        for (int x = -1; x <= 1; x++)
-        {
-            float2 texel = place.xy + float2(x, y) * _MainLightShadowmapSize.xy;
-            sum += _MainLightShadowmapTexture.SampleCmpLevelZero(sampler_LinearClampCompare, texel, place.z);
-        }
-    }
-    float fade = MainLightShadowFade(world);
-    float visible = lerp(1.0, sum / 9.0, _MainLightShadowParams.x * (1.0 - fade * fade));
-    return place.z <= 0.0 || place.z >= 1.0 ? 1.0 : visible;
+    float lit = ShadowMapLight(_MainLightShadowmapTexture, place);
+    return lerp(1.0, lit, _MainLightShadowParams.x * (1.0 - MainLightShadowFade(world)));
 #else
     return 1.0;
 #endif
 }
 
+// Point, spot and further directional lights.
+float3 SceneryLamps(float3 own, float3 normal, float3 view, float3 world)
+{
+    float3 colour = 0.0;
+#if defined(UNIVERSAL_LIGHTS)
+    float4 clipPosition = FluidClipPosition(world);
+    float2 screen = clipPosition.xy / clipPosition.w * float2(0.5, 0.5 * _ProjectionParams.x) + 0.5;
+    UniversalLightList list = StartLights(world, screen);
+    uint index = 0u;
+    [loop]
+    while (NextLight(list, index))
+    {
+        UniversalLight light = AdditionalLight(index, world);
+        colour += SceneryReflection(own, normal, view, light.direction) * light.colour;
+    }
+#endif
+    return colour;
+}
+
 float4 ShadeScenery(SceneryFragment input) : SV_Target
 {
+    EYE_OF(input)
     float3 normal = normalize(input.normal);
     float3 view = normalize(_WorldSpaceCameraPos - input.world);
-    float visible = MainLightVisible(input.world, input.clipPosition);
+    float visible = MainLightReaches() * MainLightVisible(input.world, input.clipPosition);
     float3 own = SceneryColour(input.world, normal);
     float3 colour = SceneryReflection(own, normal, view, _MainLightPosition.xyz) * _MainLightColor.rgb * visible;
+    colour += SceneryLamps(own, normal, view, input.world);
     colour += SceneryAmbientReflection(own, normal, view);
     return float4(lerp(colour, _FadeColor.rgb, SceneryFade(input.world, _WorldSpaceCameraPos)), 1.0);
 }

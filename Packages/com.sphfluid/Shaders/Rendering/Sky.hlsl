@@ -3,8 +3,9 @@
 #ifndef SPHFLUID_SKY_INCLUDED
 #define SPHFLUID_SKY_INCLUDED
 
+#include "Eyes.hlsl"
+
 float4x4 unity_ObjectToWorld;
-float4x4 unity_MatrixVP;
 float4 _WorldSpaceLightPos0; // xyz: to the sun, as Unity sets it for skyboxes; 0 without one
 
 float4 _Zenith;
@@ -34,11 +35,14 @@ struct SkyFragment
 {
     float4 clipPosition : SV_Position;
     float3 direction : TEXCOORD0;
+    EYE_FIELD
 };
 
-SkyFragment PlaceSky(SkyVertex input)
+SkyFragment PlaceSky(SkyVertex input EYE_PARAMETER)
 {
+    EYE_OF_INSTANCE
     SkyFragment output;
+    EYE_TO(output)
     output.direction = mul((float3x3)unity_ObjectToWorld, input.position);
     output.clipPosition = mul(unity_MatrixVP, mul(unity_ObjectToWorld, float4(input.position, 1.0)));
     return output;

@@ -30,6 +30,7 @@ Shader "SPH Fluid/Sky"
 
             HLSLPROGRAM
             #pragma target 4.5
+            #pragma multi_compile _ STEREO_INSTANCING_ON
             #pragma vertex PlaceSky
             #pragma fragment ShadeSky
 

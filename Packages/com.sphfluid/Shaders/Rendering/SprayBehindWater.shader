@@ -13,7 +13,8 @@ Shader "Hidden/SPH Fluid/Spray Behind Water"
 
             HLSLPROGRAM
             #pragma target 4.5
-            #pragma vertex ExpandDrop
+            #pragma multi_compile _ STEREO_INSTANCING_ON
+            #pragma vertex ExpandDropBehindWater
             #pragma fragment ShadeDropBehindWater
 
             #include "SprayDrops.hlsl"

@@ -8,6 +8,7 @@
 #include "ReceivedShadow.hlsl"
 
 StructuredBuffer<SprayParticle> _SprayParticles;
+float _FluidSceneHeight; // pixels of the height of the picture of the scene, while drops are drawn into it
 uint _DropsPerParticle;
 float _SprayShutter;  // how long the shutter is open [s]
 float _SpraySpacing;  // dx [m]
@@ -24,6 +25,7 @@ struct DropFragment
     float3 across : TEXCOORD0; // xy: from the middle, in radii; z: half the length of the streak, in radii
     float3 world : TEXCOORD1;
     nointerpolation float4 colour : TEXCOORD2; // premultiplied
+    EYE_FIELD
 };
 
 // PCG (Jarzynski and Olano 2020, "Hash functions for GPU rendering"): three numbers from 0 to 1, of two.
@@ -49,11 +51,11 @@ float3 InBall(float3 random)
     return float3(flat * cos(angle), height, flat * sin(angle)) * pow(random.z, 1.0 / 3.0);
 }
 
-// Width of a pixel at a point [m].
-float PixelWidth(float3 world)
+// Width of a pixel at a point [m]. height: of the picture, pixels.
+float PixelWidth(float3 world, float height)
 {
     float across = length(float3(unity_MatrixVP[1].x, unity_MatrixVP[1].y, unity_MatrixVP[1].z));
-    return 2.0 * FluidClipPosition(world).w / (across * max(_FluidThicknessView.y, 1.0));
+    return 2.0 * FluidClipPosition(world).w / (across * max(height, 1.0));
 }
 
 // Corners of two triangles: (-1,-1) (-1,1) (1,1) and (-1,-1) (1,1) (1,-1).
@@ -64,7 +66,7 @@ float2 DropCorner(uint index)
     return float2(x, y);
 }
 
-DropFragment ExpandDrop(uint vertexId : SV_VertexID)
+DropFragment ExpandDropFor(uint vertexId, float height)
 {
     uint drop = vertexId / 6u;
     uint k = drop % _DropsPerParticle;
@@ -84,6 +86,7 @@ DropFragment ExpandDrop(uint vertexId : SV_VertexID)
     float3 streak = (particle.velocity + 0.25 * length(particle.velocity) * spread) * (isMist ? 0.0 : _SprayShutter);
 
     DropFragment output;
+    EYE_TO(output)
     float3 world = FluidWorldPosition(centre);
     float3 axis = FluidWorldDirection(streak);
     float3 right = unity_MatrixV[0].xyz;
@@ -91,7 +94,7 @@ DropFragment ExpandDrop(uint vertexId : SV_VertexID)
     float2 seen = float2(dot(axis, right), dot(axis, up));
     float halfLength = 0.5 * length(seen);
     float2 along = halfLength > 1e-7 ? seen / (2.0 * halfLength) : float2(1.0, 0.0);
-    float drawn = max(radius, LEAST_RADIUS * PixelWidth(world));
+    float drawn = max(radius, LEAST_RADIUS * PixelWidth(world, height));
     float cover = (isMist ? MIST_COVER : DROP_COVER / sqrt(1.0 + halfLength / drawn)) * (radius / drawn) * (isMist ? 1.0 : radius / drawn);
 
     float2 corner = DropCorner(vertexId % 6u) * float2(halfLength / drawn + 1.0, 1.0);
@@ -104,6 +107,18 @@ DropFragment ExpandDrop(uint vertexId : SV_VertexID)
     return output;
 }
 
+DropFragment ExpandDrop(uint vertexId : SV_VertexID EYE_PARAMETER)
+{
+    EYE_OF_INSTANCE
+    return ExpandDropFor(vertexId, _FluidThicknessView.y);
+}
+
+DropFragment ExpandDropBehindWater(uint vertexId : SV_VertexID EYE_PARAMETER)
+{
+    EYE_OF_INSTANCE
+    return ExpandDropFor(vertexId, _FluidSceneHeight);
+}
+
 // A capsule, densest along its middle.
 float4 ShadeDrop(DropFragment input)
 {
@@ -114,13 +129,15 @@ float4 ShadeDrop(DropFragment input)
 
 float4 ShadeDropBeforeWater(DropFragment input) : SV_Target
 {
+    EYE_OF(input)
     clip(IsBeyondSurfaceFromWithin(WaterScreen(input.world), WaterEyeDepth(input.world)) ? -1.0 : 1.0);
     return ShadeDrop(input);
 }
 
-// Into the picture of the scene that the water refracts, which has no depth of its own: nothing behind the scene, nothing before the water.
+// Into the picture of the scene that the water refracts, tested here as it has no depth of its own size: nothing behind the scene, nothing before the water.
 float4 ShadeDropBehindWater(DropFragment input) : SV_Target
 {
+    EYE_OF(input)
     float2 screen = WaterScreen(input.world);
     float depth = WaterEyeDepth(input.world);
     clip(min(SceneEyeDepth(screen) - depth, depth - FirstLayerEnd(screen)));

@@ -5,8 +5,9 @@
 #include "../Surface/Sparse/SurfaceVertices.hlsl"
 #include "../Surface/SurfaceFragment.hlsl"
 
-SurfaceFragment FetchSurface(uint vertexId : SV_VertexID)
+SurfaceFragment FetchSurface(uint vertexId : SV_VertexID EYE_PARAMETER)
 {
+    EYE_OF_INSTANCE
     return ProjectSurfaceVertex(FetchSurfaceVertex(vertexId));
 }
 

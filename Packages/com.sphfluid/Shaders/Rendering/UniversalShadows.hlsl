@@ -1,5 +1,6 @@
 // The main light's shadow map of the Universal Render Pipeline 14 to 17: the variables of its ShaderLibrary/Shadows.hlsl, as
-// Runtime/Passes/MainLightShadowCasterPass.cs sets them for each camera that has a map. No include of the pipeline.
+// Runtime/Passes/MainLightShadowCasterPass.cs sets them for each camera that has a map. Where no caster is in view the map is one lit texel
+// and the strength the light's, or they are not set at all. No include of the pipeline.
 #ifndef SPHFLUID_UNIVERSAL_SHADOWS_INCLUDED
 #define SPHFLUID_UNIVERSAL_SHADOWS_INCLUDED
 
@@ -11,7 +12,7 @@ float4 _CascadeShadowSplitSpheres1;
 float4 _CascadeShadowSplitSpheres2;
 float4 _CascadeShadowSplitSpheres3;
 float4 _CascadeShadowSplitSphereRadii; // squared
-float4 _MainLightShadowParams;         // x: strength, 0 where this camera has no map; z, w: fade over the squared distance from the camera
+float4 _MainLightShadowParams;         // x: strength; z, w: fade over the squared distance from the camera
 Texture2D<float> _MainLightShadowmapTexture;
 SamplerComparisonState sampler_LinearClampCompare;
 
@@ -25,6 +26,23 @@ int MainLightCascade(float3 world)
     float4 squared = float4(dot(away0, away0), dot(away1, away1), dot(away2, away2), dot(away3, away3));
     bool4 isInside = squared < _CascadeShadowSplitSphereRadii;
     return isInside.x ? 0 : isInside.y ? 1 : isInside.z ? 2 : isInside.w ? 3 : MAIN_LIGHT_CASCADES;
+}
+
+// Share of the light that reaches a place of a shadow map, 1 beyond its depths: three by three comparisons, a texel apart, as the pattern
+// of water's partial shadow has a period of three (WaterShading.hlsl). URP tells a map's size only where soft shadows are on, so the map is
+// asked itself.
+float ShadowMapLight(Texture2D<float> map, float3 place)
+{
+    float2 size = 0.0;
+    map.GetDimensions(size.x, size.y);
+    float sum = 0.0;
+    [unroll]
+    for (int y = -1; y <= 1; y++)
+    {
+        [unroll]
+        for (int x = -1; x <= 1; x++) sum += map.SampleCmpLevelZero(sampler_LinearClampCompare, place.xy + float2(x, y) / size, place.z);
+    }
+    return place.z <= 0.0 || place.z >= 1.0 ? 1.0 : sum / 9.0;
 }
 
 // 0 near the camera, 1 where the shadow has faded.

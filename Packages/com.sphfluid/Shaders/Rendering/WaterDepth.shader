@@ -16,6 +16,7 @@ Shader "Hidden/SPH Fluid/Water Depth"
 
             HLSLPROGRAM
             #pragma target 4.5
+            #pragma multi_compile _ STEREO_INSTANCING_ON
             #pragma multi_compile_local _ FLUID_HDRP
             #pragma vertex FetchSurface
             #pragma fragment ShowNothing

@@ -42,6 +42,7 @@ float3 SeenOutside(WaterRay ray)
 
 float4 ShadeFromWithin(SurfaceFragment input) : SV_Target
 {
+    EYE_OF(input)
     float2 screen = WaterScreen(input.world);
     float face = WaterEyeDepth(input.world);
     float doubt = 4e-3 * max(face, 1.0);

@@ -8,8 +8,12 @@ float4 _ProjectionParams; // x: -1 where the picture is drawn upside down
 float4 _ZBufferParams;
 float4 unity_OrthoParams; // w: 1 for an orthographic camera
 
-Texture2D<float4> _FluidThickness;  // WaterThickness.hlsl
-Texture2D<float> _CameraDepthTexture;
+#if defined(STEREO_INSTANCING_ON)
+#define _FluidThickness _FluidThicknessEyes
+#endif
+
+EYE_TEXTURE<float4> _FluidThickness;  // WaterThickness.hlsl
+EYE_TEXTURE<float> _CameraDepthTexture;
 SamplerState sampler_LinearClamp;
 SamplerState sampler_PointClamp;
 float4 _FluidThicknessSize; // xy: pixels of _FluidThickness; z: pixels of the picture to one of its, along an axis
@@ -57,7 +61,7 @@ float SceneEyeDepth(float2 screen)
 {
     float depth = NOTHING_BEHIND;
     if (_FluidScene.y > 0.5)
-        depth = EyeDepthOf(_CameraDepthTexture.SampleLevel(sampler_PointClamp, screen, 0.0));
+        depth = EyeDepthOf(_CameraDepthTexture.SampleLevel(sampler_PointClamp, EyePlace(screen), 0.0));
     return depth;
 }
 
@@ -67,7 +71,7 @@ float NearestSceneDepth(float2 screen)
     float depth = NOTHING_BEHIND;
     if (_FluidScene.y > 0.5)
     {
-        float4 raw = _CameraDepthTexture.GatherRed(sampler_PointClamp, screen);
+        float4 raw = _CameraDepthTexture.GatherRed(sampler_PointClamp, EyePlace(screen));
 #if defined(FLUID_REVERSED_Z)
         depth = EyeDepthOf(max(max(raw.x, raw.y), max(raw.z, raw.w)));
 #else
@@ -92,18 +96,19 @@ float2 DomainSpan(float3 world, float3 view, float alongAxis)
     return max(WaterEyeDepth(world) + float2(entry, exit) * alongAxis, 0.0);
 }
 
-// Where a place of the picture lies in the thickness picture, whose lower left part this camera fills.
-float2 ThicknessPlace(float2 screen)
+// What the thickness picture holds at a place of the camera's picture, which fills its lower left part.
+float4 ThicknessAt(SamplerState filter, float2 screen)
 {
     float2 part = ceil(_FluidThicknessView.xy / _FluidThicknessSize.z);
     float2 used = min(part / _FluidThicknessSize.xy, 1.0);
-    return min(screen * used, used - 0.5 / _FluidThicknessSize.xy);
+    float2 place = min(screen * used, used - 0.5 / _FluidThicknessSize.xy);
+    return _FluidThickness.SampleLevel(filter, EyePlace(place), 0.0);
 }
 
 // Far faces less near faces on a line of sight: 1 where it starts in water.
 float UnpairedFaces(float2 screen)
 {
-    return _FluidThickness.SampleLevel(sampler_PointClamp, ThicknessPlace(screen), 0.0).y;
+    return ThicknessAt(sampler_PointClamp, screen).y;
 }
 
 // What a texel of the thickness picture tells of the nearest layer's end, metres along the camera's axis; negative where there is no layer.
@@ -114,7 +119,7 @@ float FirstLayerEndOf(float4 thickness)
 
 float FirstLayerEnd(float2 screen)
 {
-    return FirstLayerEndOf(_FluidThickness.SampleLevel(sampler_PointClamp, ThicknessPlace(screen), 0.0));
+    return FirstLayerEndOf(ThicknessAt(sampler_PointClamp, screen));
 }
 
 // Where the nearest layer begins and ends, metres along the camera's axis. Before further layers it begins at or behind the place that is
@@ -122,7 +127,7 @@ float FirstLayerEnd(float2 screen)
 // gives (1.90, 1.91), with a layer from 2.5 to 2.6 m behind it (1.80, 1.91).
 float2 FirstLayerSpan(float2 screen)
 {
-    float4 thickness = _FluidThickness.SampleLevel(sampler_PointClamp, ThicknessPlace(screen), 0.0);
+    float4 thickness = ThicknessAt(sampler_PointClamp, screen);
     float end = FirstLayerEndOf(thickness);
     return float2(abs(thickness.y) < 0.5 ? end - thickness.x : 0.0, end);
 }
@@ -131,7 +136,7 @@ float2 FirstLayerSpan(float2 screen)
 // refracts holds it then, so that it is neither drawn twice nor where a straight line would meet it.
 bool IsBeyondSurfaceFromWithin(float2 screen, float depth)
 {
-    return _FluidScene.x == WATER_SCENE_COPY && UnpairedFaces(screen) > 0.5 && depth > FirstLayerEnd(screen);
+    return _FluidScene.x != WATER_SCENE_NONE && UnpairedFaces(screen) > 0.5 && depth > FirstLayerEnd(screen);
 }
 
 // How thick the nearest layer is behind a point of the surface, metres along the camera's axis. Half floats place its end to a millimetre.
@@ -145,7 +150,7 @@ float FirstLayer(float2 screen, float front)
 // leaves faces without a partner: the domain's wall, or the camera, takes its place.
 float WaterBehind(float3 world, float3 view, float alongAxis)
 {
-    float2 sums = _FluidThickness.SampleLevel(sampler_LinearClamp, ThicknessPlace(WaterScreen(world)), 0.0).xy;
+    float2 sums = ThicknessAt(sampler_LinearClamp, WaterScreen(world)).xy;
     float2 span = DomainSpan(world, view, alongAxis);
     float unpaired = sums.y > 0.0 ? span.x : span.y;
     return max(sums.x + sums.y * (WaterEyeDepth(FluidWorldPosition(0.0)) - unpaired), 0.0);

@@ -6,8 +6,8 @@
 #include "WaterRefraction.hlsl"
 #include "ReceivedShadow.hlsl"
 
-Texture2D<float4> _FluidSceneColour;    // Built-in: a copy of the camera's picture before transparent things
-Texture2D<float4> _CameraOpaqueTexture; // URP
+EYE_TEXTURE<float4> _FluidSceneColour;    // Built-in: a copy of the camera's picture before transparent things
+EYE_TEXTURE<float4> _CameraOpaqueTexture; // URP
 float4 _FluidExtinction; // rgb: light lost per metre, absorbed or scattered [1/m]
 float4 _FluidScattering; // rgb: of that, scattered, 0 to 1
 TextureCube<float4> _FluidReflectionMap;
@@ -18,13 +18,49 @@ float _ShadowStrength; // light that the shadow takes away, 0 to 1
 
 #define COARSEST_LEVEL 16.0 // beyond the last of any map, which stands for it
 
+#define SAME_DEPTH 0.02 // of the depth; within it things count as one
+
+// URP may halve or quarter its picture of the scene, whose pixels then mix what stands at an edge with what is behind it. Of the four around
+// a place those count whose middle lies as deep as the place, or all where none does.
+float3 CoarseSceneColour(float2 screen, float2 size)
+{
+    float depth = SceneEyeDepth(screen);
+    float2 first = floor(screen * size - 0.5);
+    float2 within = screen * size - 0.5 - first;
+    float4 sum = 0.0;
+    [loop]
+    for (uint i = 0u; i < 4u; i++)
+    {
+        float2 corner = float2(i % 2u, i / 2u);
+        float2 place = (first + corner + 0.5) / size;
+        float2 near = lerp(1.0 - within, within, corner);
+        float apart = abs(SceneEyeDepth(place) - depth) / (SAME_DEPTH * depth);
+        float weight = near.x * near.y * max(saturate(1.0 - apart), 1e-3) + 1e-6;
+        sum += float4(_CameraOpaqueTexture.SampleLevel(sampler_PointClamp, EyePlace(place), 0.0).rgb, 1.0) * weight;
+    }
+    return sum.rgb / sum.w;
+}
+
 float3 SceneColour(float2 screen)
 {
     float3 colour = 0.0;
+    [branch]
     if (_FluidScene.x == WATER_SCENE_COPY)
-        colour = _FluidSceneColour.SampleLevel(sampler_LinearClamp, screen, 0.0).rgb;
+    {
+        colour = _FluidSceneColour.SampleLevel(sampler_LinearClamp, EyePlace(screen), 0.0).rgb;
+    }
     else
-        colour = _CameraOpaqueTexture.SampleLevel(sampler_LinearClamp, screen, 0.0).rgb;
+    {
+        float2 size = 1.0;
+        float2 whole = 1.0;
+        EYE_TEXTURE_SIZE(_CameraOpaqueTexture, size)
+        EYE_TEXTURE_SIZE(_CameraDepthTexture, whole)
+        [branch]
+        if (size.x < whole.x)
+            colour = CoarseSceneColour(screen, size);
+        else
+            colour = _CameraOpaqueTexture.SampleLevel(sampler_LinearClamp, EyePlace(screen), 0.0).rgb;
+    }
     return colour;
 }
 
@@ -71,6 +107,7 @@ float NormalVariance(float3 normal)
 
 float4 ShadeWater(SurfaceFragment input) : SV_Target
 {
+    EYE_OF(input)
     float3 view = WaterView(input.world);
     float3 normal = SurfaceNormal(input);
     float alongAxis = dot(view, normalize(unity_MatrixV[2].xyz));

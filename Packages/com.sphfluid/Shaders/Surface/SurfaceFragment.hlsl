@@ -11,11 +11,13 @@ struct SurfaceFragment
     float4 clipPosition : SV_Position;
     float3 world : TEXCOORD0;
     float3 normal : TEXCOORD1;
+    EYE_FIELD
 };
 
 SurfaceFragment ProjectSurfaceVertex(SurfaceVertex surface)
 {
     SurfaceFragment fragment;
+    EYE_TO(fragment)
     fragment.world = FluidWorldPosition(surface.position);
     fragment.normal = FluidWorldDirection(surface.normal);
 #if defined(FLUID_SHADOW_CASTER)

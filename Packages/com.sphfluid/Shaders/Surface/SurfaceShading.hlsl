@@ -13,6 +13,7 @@ float _Smoothness;
 
 float4 ShadeSurface(SurfaceFragment input) : SV_Target
 {
+    EYE_OF(input)
     float3 view = normalize(_WorldSpaceCameraPos - input.world);
     float3 normal = SurfaceNormal(input);
     float edgeOn = 1.0 - saturate(dot(normal, view));

@@ -13,6 +13,7 @@ Shader "Hidden/SPH Fluid/Whitewater Behind Water"
 
             HLSLPROGRAM
             #pragma target 4.5
+            #pragma multi_compile _ STEREO_INSTANCING_ON
             #pragma vertex ExpandSpotBehindWater
             #pragma fragment ShadeSpot
 

@@ -10,6 +10,7 @@
 
 StructuredBuffer<WhitewaterParticle> _Whitewater;
 float4 _ScreenParams;       // y: pixels of the picture's height
+float _FluidSceneHeight;    // of the picture of the scene, while pieces are drawn into it
 float4 _Color;              // linear
 float _WhitewaterSpacing;   // dx [m]
 float _WhitewaterSize;      // 1 by default
@@ -33,6 +34,7 @@ struct SpotFragment
     float3 world : TEXCOORD1;
     nointerpolation float4 colour : TEXCOORD2; // premultiplied
     float3 lace : TEXCOORD3; // xy: where the spot is cut from the lace; z: 1 of foam, else 0
+    EYE_FIELD
 };
 
 // Corners of a triangle around the unit circle.
@@ -41,14 +43,14 @@ float2 SpotCorner(uint index)
     return index == 0u ? float2(0.0, 2.0) : float2(index == 1u ? 1.7320508 : -1.7320508, -1.0);
 }
 
-float SpotPixel(float3 world)
+float SpotPixel(float3 world, float height)
 {
     float across = length(float3(unity_MatrixVP[1].x, unity_MatrixVP[1].y, unity_MatrixVP[1].z));
-    return 2.0 * FluidClipPosition(world).w / (across * max(_ScreenParams.y, 1.0));
+    return 2.0 * FluidClipPosition(world).w / (across * max(height, 1.0));
 }
 
-// Whether a piece belongs into the picture of the scene that water refracts, which has no depth of its own: nothing behind the scene, and
-// of what is not within the water nothing before it.
+// Whether a piece belongs into the picture of the scene that water refracts: nothing behind the scene, and of what is not within the water
+// nothing before it.
 bool IsSeenThroughWater(float3 world, uint kind)
 {
     float2 screen = WaterScreen(world);
@@ -96,7 +98,7 @@ SpotFragment ExpandSpot(uint vertexId, bool behind)
     }
     radius *= _WhitewaterSpacing * _WhitewaterSize;
 
-    float drawn = max(radius, LEAST_RADIUS * SpotPixel(world));
+    float drawn = max(radius, LEAST_RADIUS * SpotPixel(world, behind ? _FluidSceneHeight : _ScreenParams.y));
     float2 axis = float2(cos(6.2831853 * turn.x), sin(6.2831853 * turn.x));
     float3 along = normalize(abs(normal.y) < 0.9 ? cross(normal, float3(0.0, 1.0, 0.0)) : cross(normal, float3(1.0, 0.0, 0.0)));
     float3 across = cross(normal, along);
@@ -118,6 +120,7 @@ SpotFragment ExpandSpot(uint vertexId, bool behind)
     cover = isSeen ? cover : 0.0;
 
     SpotFragment output;
+    EYE_TO(output)
     float2 corner = SpotCorner(vertexId % 3u);
     float2 offset = (axis * (corner.x * stretch) + float2(-axis.y, axis.x) * corner.y) * (cover > LEAST_COVER ? drawn : 0.0);
     output.world = world + along * offset.x + across * offset.y;
@@ -140,13 +143,15 @@ float4 ShadeSpot(SpotFragment input) : SV_Target
     return input.colour * density;
 }
 
-SpotFragment ExpandFrontSpot(uint vertexId : SV_VertexID)
+SpotFragment ExpandFrontSpot(uint vertexId : SV_VertexID EYE_PARAMETER)
 {
+    EYE_OF_INSTANCE
     return ExpandSpot(vertexId, false);
 }
 
-SpotFragment ExpandSpotBehindWater(uint vertexId : SV_VertexID)
+SpotFragment ExpandSpotBehindWater(uint vertexId : SV_VertexID EYE_PARAMETER)
 {
+    EYE_OF_INSTANCE
     return ExpandSpot(vertexId, true);
 }
 

@@ -134,6 +134,42 @@ namespace SphFluid.Tests
             }
         }
 
+        [Test]
+        public void BothEyesAtOnceHaveASliceEach()
+        {
+            Matrix4x4 projection = Matrix4x4.Perspective(40f, 1f, 0.1f, 10f);
+            Matrix4x4 left = SurfaceTestScene.LookAtOrigin(Eye), right = SurfaceTestScene.LookAtOrigin(Eye + 0.4f * Vector3.right);
+            var view = new Vector2Int(Size, Size);
+            var whole = new RectInt(0, 0, Size, Size);
+            using (var surface = new UploadedSurface().Box(new Vector3(0.1f, 0f, 0f), new Vector3(0.5f, 0.4f, 0.3f)))
+            using (var pass = new ThicknessPass(shaders))
+            {
+                pass.Prepare(surface.Buffers, Placement(), view, false);
+                GpuTest.Run(cmd => pass.Record(cmd, new CameraViews(left, projection, right, projection), view));
+                Color[] first = ReadSlice(pass.Eyes, 0, whole), second = ReadSlice(pass.Eyes, 1, whole);
+                GpuTest.Run(cmd => pass.Record(cmd, new CameraViews(left, projection), view));
+                CollectionAssert.AreEqual(Read(pass.Texture, whole), first);
+                GpuTest.Run(cmd => pass.Record(cmd, new CameraViews(right, projection), view));
+                CollectionAssert.AreEqual(Read(pass.Texture, whole), second);
+                CollectionAssert.AreNotEqual(first, second);
+            }
+        }
+
+        private static Color[] ReadSlice(RenderTexture slices, int slice, RectInt part)
+        {
+            var single = new RenderTexture(slices.width, slices.height, 0, slices.format, RenderTextureReadWrite.Linear);
+            try
+            {
+                Graphics.CopyTexture(slices, slice, single, 0);
+                return Read(single, part);
+            }
+            finally
+            {
+                single.Release();
+                Object.DestroyImmediate(single);
+            }
+        }
+
         private Color[] Measure(UploadedSurface surface, Matrix4x4 projection, Vector2Int view, bool half, RectInt part)
         {
             using (var pass = new ThicknessPass(shaders))
@@ -145,14 +181,19 @@ namespace SphFluid.Tests
 
         private static Color[] Read(ThicknessPass pass, Matrix4x4 projection, Vector2Int view, RectInt part)
         {
-            GpuTest.Run(cmd => pass.Record(cmd, SurfaceTestScene.LookAtOrigin(Eye), projection, view));
-            RenderTexture copy = RenderTexture.GetTemporary(pass.Texture.width, pass.Texture.height, 0, RenderTextureFormat.ARGBFloat,
+            GpuTest.Run(cmd => pass.Record(cmd, new CameraViews(SurfaceTestScene.LookAtOrigin(Eye), projection), view));
+            return Read(pass.Texture, part);
+        }
+
+        private static Color[] Read(RenderTexture texture, RectInt part)
+        {
+            RenderTexture copy = RenderTexture.GetTemporary(texture.width, texture.height, 0, RenderTextureFormat.ARGBFloat,
                 RenderTextureReadWrite.Linear);
             var picture = new Texture2D(part.width, part.height, TextureFormat.RGBAFloat, false, true);
             RenderTexture before = RenderTexture.active;
             try
             {
-                Graphics.Blit(pass.Texture, copy);
+                Graphics.Blit(texture, copy);
                 RenderTexture.active = copy;
                 picture.ReadPixels(new Rect(part.x, part.y, part.width, part.height), 0, 0);
                 picture.Apply();

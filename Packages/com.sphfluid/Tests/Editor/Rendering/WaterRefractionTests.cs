@@ -37,6 +37,29 @@ namespace SphFluid.Tests
             Assert.AreEqual(PlaceAt(Size / 2), seen.g / Passing, 2e-3f);
         }
 
+        // URP's opaque texture at a quarter of the size: left of the middle a thing in the water, right of it what is behind. The second
+        // pixel from the edge has an eighth of the other side's colour by distance, and none by depth.
+        [TestCase(1, 1f)]
+        [TestCase(-2, 0f)]
+        public void ACoarsePictureOfTheSceneIsReadByDepth(int fromMiddle, float green)
+        {
+            rig.Box(0.4f);
+            rig.SetDepth((x, y) => WaterRig.Distance + (x < Size / 2 ? 0.1f : 1f));
+            var coarse = new Texture2D(Size / 4, Size / 4, TextureFormat.RGBAFloat, false, true) { wrapMode = TextureWrapMode.Clamp };
+            for (int i = 0; i < coarse.width * coarse.height; i++)
+                coarse.SetPixel(i % coarse.width, i / coarse.width, i % coarse.width < Size / 8 ? Color.red : Color.green);
+            coarse.Apply();
+            Color[] seen = rig.Render(block =>
+            {
+                block.SetVector("_FluidScene", new SceneTextures(SceneColourSource.OpaqueTexture, true).ToVector());
+                block.SetTexture("_CameraOpaqueTexture", coarse);
+            });
+            Object.DestroyImmediate(coarse);
+            Color pixel = seen[Size / 2 * Size + Size / 2 + fromMiddle];
+            Assert.AreEqual(green, pixel.g / Passing, 0.01f);
+            Assert.AreEqual(1f - green, pixel.r / Passing, 0.01f);
+        }
+
         [Test]
         public void SlopingWaterShiftsByTheLawOfRefraction([Values] FluidWaterQuality quality)
         {

@@ -145,8 +145,9 @@ namespace SphFluid.Tests
                     cmd.SetGlobalVector("_FluidThicknessView", new Vector4(Size, Size, 0f, 0f));
                     cmd.SetGlobalTexture("_CameraDepthTexture", depth);
                     cmd.SetGlobalVector("unity_OrthoParams", new Vector4(HalfWidth, HalfWidth, 0f, 1f));
+                    cmd.SetGlobalFloat("_FluidSceneHeight", Size);
                     if (behind)
-                        water.Spray.RecordBehindWater(cmd);
+                        water.Spray.RecordBehindWater(cmd, 0);
                     else
                         water.Spray.RecordAfterWater(cmd);
                 });
@@ -158,7 +159,7 @@ namespace SphFluid.Tests
         private Color[] Draw(Action<CommandBuffer> record)
         {
             Matrix4x4 view = SurfaceTestScene.LookAtOrigin(eye);
-            GpuTest.Run(cmd => water.Thickness.Record(cmd, view, Parallel, Vector2Int.one * Size));
+            GpuTest.Run(cmd => water.Thickness.Record(cmd, new CameraViews(view, Parallel), Vector2Int.one * Size));
             return SurfaceTestScene.Render(Size, view, Parallel, cmd =>
             {
                 cmd.SetGlobalVector("_WorldSpaceCameraPos", eye);
