@@ -3,6 +3,7 @@ using NUnit.Framework;
 using UnityEditor;
 using UnityEditor.SceneManagement;
 using UnityEngine;
+using UnityEngine.Rendering.Universal;
 using UnityEngine.SceneManagement;
 using Object = UnityEngine.Object;
 
@@ -46,6 +47,14 @@ public sealed class SceneWriterTests : SceneFixture
         Transform below = cube.transform.GetChild(0);
         Assert.That((below.name, below.localPosition, below.localRotation, below.localScale, below.gameObject.activeSelf),
             Is.EqualTo(("Child", new Vector3(1f / 3f, -2f, 3e9f), turn, new Vector3(1f, 2f, 3f), false)));
+    }
+
+    [Test]
+    public void ComponentsOfUnitysPackagesComeBack()
+    {
+        Camera.main.GetUniversalAdditionalCameraData();
+        Reopen();
+        Assert.That(Camera.main.GetComponent<UniversalAdditionalCameraData>(), Is.Not.Null);
     }
 
     [Test]
