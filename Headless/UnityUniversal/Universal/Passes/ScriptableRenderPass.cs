@@ -10,6 +10,15 @@ public abstract class ScriptableRenderPass : IRenderGraphRecorder
     public ScriptableRenderPassInput input { get; private set; }
     public bool requiresIntermediateTexture { get; set; }
 
+    /// <summary>In compatibility mode, where the pass draws to others than the camera's.</summary>
+    public RTHandle? colorAttachmentHandle { get; private set; }
+
+    /// <summary>In compatibility mode, where the pass draws to others than the camera's.</summary>
+    public RTHandle? depthAttachmentHandle { get; private set; }
+
+    public ClearFlag clearFlag { get; private set; }
+    public Color clearColor { get; private set; } = Color.black;
+
     protected internal ProfilingSampler profilingSampler { get; set; } = new(nameof(ScriptableRenderPass));
 
     public static bool operator <(ScriptableRenderPass lhs, ScriptableRenderPass rhs) => lhs.renderPassEvent < rhs.renderPassEvent;
@@ -17,6 +26,15 @@ public abstract class ScriptableRenderPass : IRenderGraphRecorder
     public static bool operator >(ScriptableRenderPass lhs, ScriptableRenderPass rhs) => lhs.renderPassEvent > rhs.renderPassEvent;
 
     public void ConfigureInput(ScriptableRenderPassInput passInput) => input = passInput;
+
+    public void ConfigureTarget(RTHandle colorAttachment) => ConfigureTarget(colorAttachment, colorAttachment);
+
+    public void ConfigureTarget(RTHandle colorAttachment, RTHandle depthAttachment) =>
+        (colorAttachmentHandle, depthAttachmentHandle) = (colorAttachment, depthAttachment);
+
+    public void ResetTarget() => (colorAttachmentHandle, depthAttachmentHandle) = (null, null);
+
+    public void ConfigureClear(ClearFlag clearFlag, Color clearColor) => (this.clearFlag, this.clearColor) = (clearFlag, clearColor);
 
     public virtual void RecordRenderGraph(RenderGraph renderGraph, ContextContainer frameData) =>
         Debug.LogWarning($"The render pass {GetType()} does not have an implementation of the RecordRenderGraph method. Please implement this method, or consider turning on Compatibility Mode (RenderGraph disabled) in the menu Edit > Project Settings > Graphics > URP. Otherwise the render pass will have no effect.");

@@ -113,7 +113,13 @@ public abstract class ScriptableRenderer : IDisposable
         (cameraColorTargetHandle, cameraDepthTargetHandle) = (data.Color, data.Depth);
         data.Pass.OnCameraSetup(commands, ref rendering);
         data.Pass.Configure(commands, rendering.cameraData.cameraTargetDescriptor);
-        commands.SetRenderTarget(data.Color, data.Depth);
+        RTHandle color = data.Pass.colorAttachmentHandle ?? cameraColorTargetHandle!;
+        commands.SetRenderTarget(color, data.Pass.depthAttachmentHandle ?? cameraDepthTargetHandle!);
+        if (data.Pass.clearFlag != ClearFlag.None)
+        {
+            commands.ClearRenderTarget((data.Pass.clearFlag & ClearFlag.Depth) != 0, (data.Pass.clearFlag & ClearFlag.Color) != 0, data.Pass.clearColor);
+        }
+
         graphContext.cmd.Between(context =>
         {
             var copy = new RenderingData(data.Frame);
