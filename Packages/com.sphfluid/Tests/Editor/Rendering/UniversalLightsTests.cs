@@ -76,8 +76,8 @@ namespace SphFluid.Tests
             var binned = new uint[bins * (2 + words)];
             for (int bin = 0; bin < bins; bin++)
             {
-                int first = random.Next(others), last = random.Next(others);
-                binned[bin * (2 + words)] = (uint)first | ((uint)last << 16); // an empty bin has its first light after its last
+                uint first = (uint)random.Next(40), last = (uint)random.Next(40, others);
+                binned[bin * (2 + words)] = bin == 2 ? 0xFFFFu : first | (last << 16); // an empty bin has its first light after its last
                 Words(random, words).CopyTo(binned, bin * (2 + words) + 2);
             }
 
