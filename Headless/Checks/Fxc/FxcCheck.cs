@@ -15,9 +15,12 @@ internal sealed class FxcCheck(ProjectPackages packages, string cacheFolder)
         var jobs = HlslJobs.Read(packages, report.Findings);
         var toolchain = new WineToolchain(WineDriver.Fxc, cacheFolder);
         if (toolchain.Prepare() is { } missing) { report.SkippedBecause = missing; return report; }
-        Compile(jobs, toolchain, report);
+        Compile(jobs with { Jobs = [.. jobs.Jobs.Where(job => !WritesSlice(job))] }, toolchain, report);
         return report;
     }
+
+    // Vertex stages that choose a slice of the target, as Unity's own for single-pass stereo do, need Unity's newer compiler; DXC takes them.
+    private static bool WritesSlice(FxcJob job) => job.Profile.StartsWith("vs", StringComparison.Ordinal) && job.Keywords.Contains("STEREO_INSTANCING_ON");
 
     private void Compile(HlslJobs jobs, WineToolchain toolchain, CheckReport report)
     {
