@@ -23,6 +23,7 @@ namespace SphFluid.Tests
             shader = UnityEngine.Object.Instantiate(TestShaders.Load("Tests/Editor/Rendering/SumLamps.compute"));
             shader.SetMatrix("unity_MatrixV", Matrix4x4.Scale(new Vector3(1f, 1f, -1f))); // a camera in the origin that looks along z
             shader.SetVector("_WorldSpaceCameraPos", Vector3.zero);
+            shader.SetVector("unity_OrthoParams", Vector4.zero);
             for (int i = 0; i < MostLights; i++) Directional(i, 0f);
         }
 
@@ -79,8 +80,9 @@ namespace SphFluid.Tests
             var binned = new uint[bins * (2 + words)];
             for (int bin = 0; bin < bins; bin++)
             {
-                int first = random.Next(others), last = random.Next(others);
-                binned[bin * (2 + words)] = (uint)first | ((uint)last << 16); // an empty bin has its first light after its last
+                int first = random.Next(others / 2), last = others - 1 - random.Next(others / 2);
+                if (bin == 1) (first, last) = (last, first); // an empty bin has its first light after its last
+                binned[bin * (2 + words)] = (uint)first | ((uint)last << 16);
                 Words(random, words).CopyTo(binned, bin * (2 + words) + 2);
             }
 
