@@ -1,5 +1,6 @@
 using Headless.Checks;
 using Headless.Checks.Api;
+using Headless.Checks.Buffers;
 using Headless.Checks.Cross;
 using Headless.Checks.Documents;
 using Headless.Checks.Dxc;
@@ -35,6 +36,7 @@ Add("fxc", () => [new FxcCheck(packages, cache).Run()]);
 Add("dxc", () => [new DxcCheck(packages, cache).Run()]);
 Add("cross", () => new CrossCheck(packages, shaderCache).Run());
 Add("gpu", () => new GpuCheck(packages, shaderCache, Path.Combine(project, "Headless", "Checks", "Gpu", "Data")).Run(options.Update));
+Add("buffers", () => [new BufferCheck(packages, shaderCache, Path.Combine(project, "Headless", "Checks", "Buffers", "Data")).Run(options.Update)]);
 Add("uniform", () => [new UniformBranchCheck(packages, shaderCache).Run()]);
 Add("form", () => FormChecks.Run(packages));
 Add("docs", () => DocumentChecks.Run(packages));
