@@ -7,7 +7,7 @@ internal sealed record CheckOptions
 {
     internal static readonly IReadOnlyList<Flag> Flags =
     [
-        new("--only", "NAME", "this check alone", "all") { Choices = ["api", "surface", "fxc", "dxc", "cross", "gpu", "buffers", "uniform", "form", "docs", "format"] },
+        new("--only", "NAME", "this check alone", "all") { Choices = ["api", "surface", "fxc", "dxc", "cross", "wgsl", "gpu", "buffers", "uniform", "form", "docs", "format"] },
         Flag.Switch("--update",
             "with --only gpu or buffers: writes anew the tables of what Mesa's GPU compilers make of the shaders (Headless/Checks/Gpu/Data), or of the buffers that they use (Headless/Checks/Buffers/Data), to be committed with the reason for every line that got worse"),
         new("--stand-in", "DIR", "folder of the stand-in's assemblies") { Hidden = true },

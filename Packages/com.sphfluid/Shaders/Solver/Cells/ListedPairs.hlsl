@@ -28,7 +28,6 @@ PairSums ListedPairs(uint id, float3 position, PairSums sums)
         const float3 d = Separation(position, place.xyz);
         AddPair(sums, j, place.w, d, SeenSquared(entry, dot(d, d)));
     }
-    const uint slot = WallSlot(id);
     const uint cell = SortedCell(id, !listed);
     FOR_EACH_NEAR_IF(!listed, CellOf(cell), other)
     {
@@ -36,7 +35,7 @@ PairSums ListedPairs(uint id, float3 position, PairSums sums)
         const float3 apart = Separation(position, next.xyz);
         const bool isNear = dot(apart, apart) * _InverseSupport * _InverseSupport < 1.0 && other != id;
         [branch]
-        if (isNear && !IsParted(isNear ? slot : 0u, position, other, next.xyz, apart))
+        if (isNear && !IsParted(isNear ? WallSlot(id) : 0u, position, other, next.xyz, apart))
         {
             AddPair(sums, other, next.w, apart, dot(apart, apart));
         }

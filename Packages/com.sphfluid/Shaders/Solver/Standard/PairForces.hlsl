@@ -90,7 +90,6 @@ PairSums NeighbourSums(uint id, float3 position, float3 velocity, float pressure
     const uint count = _Neighbours[_NeighbourCountsBegin + id];
     const bool listed = count <= _ListLength;
     PairSums sums = ListedNeighbours(id, listed ? count : 0u, position, velocity, pressure);
-    const uint slot = WallSlot(id);
     const uint cell = SortedCell(id, !listed);
     FOR_EACH_NEAR_IF(!listed, CellOf(cell), other)
     {
@@ -98,7 +97,7 @@ PairSums NeighbourSums(uint id, float3 position, float3 velocity, float pressure
         const float3 d = Separation(position, place);
         const bool isNear = dot(d, d) < 1.0 / (_InverseSupport * _InverseSupport) && other != id;
         [branch]
-        if (isNear && !IsParted(isNear ? slot : 0u, position, other, place, d))
+        if (isNear && !IsParted(isNear ? WallSlot(id) : 0u, position, other, place, d))
         {
             const float3 parted = position + float3(Apart(id, other, dot(d, d)), 0.0, 0.0);
             AddNeighbour(sums, other, parted, velocity, pressure);
