@@ -18,7 +18,8 @@ internal sealed class WgslCheck(ProjectPackages packages, string shaderCache, st
     {
         ["Thesis/Shaders/Surface/FluidSurfaceGeometry.shader Geometry"] = "WebGPU has no geometry shaders",
         ["Thesis/Shaders/Surface/FluidSurfaceGeometry.shader Vertex"] = "what it passes to the geometry stage is no interface of WGSL",
-        ["Shaders/Surface/Sparse/WriteSurfaceMesh.compute Compute"] = "naga 30.0.1 does not add a signed and an unsigned number, which SPIR-V does",
+        ["Shaders/Surface/Sparse/SampleBlocks.compute Compute"] = "WGSL wants barriers where all threads of a group surely come, and the loop over candidates ends by a number in groupshared memory",
+        ["Shaders/Surface/Sparse/CountBlocks.compute Compute"] = "naga 30.0.1 loses a value that is made before a loop's end and used behind it",
         ["Shaders/Rendering/ShadowConstants.shader Fragment"] = "naga 30.0.1 does not read a load from a vector at a remainder",
     };
 
@@ -73,7 +74,7 @@ internal sealed class WgslCheck(ProjectPackages packages, string shaderCache, st
         var folder = Directory.CreateTempSubdirectory("wgsl");
         try
         {
-            for (var i = 0; i < jobs.Count; i++) File.WriteAllBytes(Path.Combine(folder.FullName, $"{i}.spv"), jobs[i].SpirV);
+            for (var i = 0; i < jobs.Count; i++) File.WriteAllBytes(Path.Combine(folder.FullName, $"{i}.spv"), NagaForm.Of(jobs[i].SpirV, jobs[i].Job.Binary.Stage));
             var script = Path.Combine(folder.FullName, Driver);
             using (var source = typeof(WgslCheck).Assembly.GetManifestResourceStream(Driver)!)
             using (var target = File.Create(script)) source.CopyTo(target);
