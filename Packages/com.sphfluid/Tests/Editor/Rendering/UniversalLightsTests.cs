@@ -23,6 +23,7 @@ namespace SphFluid.Tests
             shader = TestShaders.Load("Tests/Editor/Rendering/SumLamps.compute");
             shader.SetMatrix("unity_MatrixV", Matrix4x4.Scale(new Vector3(1f, 1f, -1f))); // a camera in the origin that looks along z
             shader.SetVector("_WorldSpaceCameraPos", Vector3.zero);
+            shader.SetVector("unity_OrthoParams", Vector4.zero);
             for (int i = 0; i < MostLights; i++) Directional(i, 0f);
         }
 
