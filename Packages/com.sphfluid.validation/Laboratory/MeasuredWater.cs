@@ -67,12 +67,12 @@ namespace SphFluid.Laboratory
         {
             cmd.SetGlobalVector(RenderShaderIds.FluidScene, new SceneTextures(SceneColourSource.Copy, true).ToVector());
             cmd.SetGlobalVector(RenderShaderIds.FluidThicknessView, new Vector4(size.x, size.y, 0f, 0f));
-            water.Thickness.Record(cmd, view, projection, size);
+            water.Thickness.Record(cmd, new CameraViews(view, projection), size);
         }
 
         /// <summary>For measurements: records the spray that is seen through water; the render target is the scene's picture.</summary>
         /// <param name="cmd">Command buffer whose view is set.</param>
-        public void RecordSprayBehind(CommandBuffer cmd) => water.Spray.RecordBehindWater(cmd);
+        public void RecordSprayBehind(CommandBuffer cmd) => water.Spray.RecordBehindWater(cmd, 0);
 
         /// <summary>For measurements: records the water.</summary>
         /// <param name="cmd">Command buffer whose target and view are set.</param>
