@@ -59,7 +59,7 @@ public sealed class UniversalStereoTests : UniversalFixture
                         #else
                         int3 place = int3(i.position.xy, 0);
                         #endif
-                        return float4(_CameraOpaqueTexture.Load(place).grb, 1.0) * frac(20.0 * _CameraDepthTexture.Load(place));
+                        return float4(_CameraOpaqueTexture.Load(place).grb * (0.5 + 0.5 * frac(20.0 * _CameraDepthTexture.Load(place))), 1.0);
                     }
                     ENDHLSL
                 }
@@ -81,13 +81,14 @@ public sealed class UniversalStereoTests : UniversalFixture
         eyes.AssertAlike($"urp-stereo-{mode}-{hdr}-{priming}");
     }
 
-    // Depth and colour of the scene as arrays, which a pane reads, at each size of the copy that a pixel can name.
+    // Depth and colour of the scene, which a pane reads, as textures or as arrays of two.
     [Test]
     public void EachEyeReadsItsCopiesOfTheScene([Values(StereoMode.MultiPass, StereoMode.Instanced)] object mode)
     {
         Set("m_OpaqueDownsampling", Downsampling.None);
         Set("m_RequireOpaqueTexture", true);
         Set("m_RequireDepthTexture", true);
+        Renderer.copyDepthMode = CopyDepthMode.AfterOpaques;
         var eyes = new EyeCameras(Boxes((StereoMode)mode));
         GameObject pane = Flat(PrimitiveType.Quad, new Vector3(0f, 0f, -1.5f), Color.white);
         pane.transform.localScale = new Vector3(1.5f, 1.5f, 1f);

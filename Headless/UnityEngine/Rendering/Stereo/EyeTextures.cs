@@ -15,7 +15,8 @@ internal static class EyeTextures
             bool instanced = Stereo.Mode == StereoMode.Instanced;
             var description = new RenderTextureDescriptor(Stereo.EyeWidth, Stereo.EyeHeight, RenderTextureFormat.ARGB32, 24)
             {
-                msaaSamples = GraphicsSettings.currentRenderPipeline is null && QualitySettings.antiAliasing is 2 or 4 or 8 ? QualitySettings.antiAliasing : 1,
+                // Devices were seen to resolve the first slice alone, so that slices have one sample.
+                msaaSamples = !instanced && GraphicsSettings.currentRenderPipeline is null && QualitySettings.antiAliasing is 2 or 4 or 8 ? QualitySettings.antiAliasing : 1,
                 dimension = instanced ? TextureDimension.Tex2DArray : TextureDimension.Tex2D,
                 volumeDepth = instanced ? 2 : 1,
                 vrUsage = instanced ? VRTextureUsage.TwoEyes : VRTextureUsage.OneEye,

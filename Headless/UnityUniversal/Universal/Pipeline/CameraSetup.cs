@@ -78,7 +78,7 @@ internal static class CameraSetup
     private static RenderTextureDescriptor Descriptor(UniversalCameraData data, UniversalRenderPipelineAsset settings)
     {
         int samples = 1;
-        if (data.baseCamera.allowMSAA && settings.msaaSampleCount > 1)
+        if (EyePass.Views < 2 && data.baseCamera.allowMSAA && settings.msaaSampleCount > 1)
         {
             samples = data.baseCamera.targetTexture != null ? data.baseCamera.targetTexture.antiAliasing : settings.msaaSampleCount;
         }
