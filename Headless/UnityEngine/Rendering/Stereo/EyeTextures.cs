@@ -15,7 +15,7 @@ internal static class EyeTextures
             bool instanced = Stereo.Mode == StereoMode.Instanced;
             var description = new RenderTextureDescriptor(Stereo.EyeWidth, Stereo.EyeHeight, RenderTextureFormat.ARGB32, 24)
             {
-                // Devices were seen to resolve the first slice alone, so that slices have one sample.
+                // One sample a slice: llvmpipe resolves a single slice only where it is the first.
                 msaaSamples = !instanced && GraphicsSettings.currentRenderPipeline is null && QualitySettings.antiAliasing is 2 or 4 or 8 ? QualitySettings.antiAliasing : 1,
                 dimension = instanced ? TextureDimension.Tex2DArray : TextureDimension.Tex2D,
                 volumeDepth = instanced ? 2 : 1,
