@@ -169,6 +169,7 @@ Shader "SPH Fluid/Scenery"
 
             HLSLPROGRAM
             #pragma target 4.5
+            #pragma multi_compile _ STEREO_INSTANCING_ON
             #pragma multi_compile_shadowcaster
             #pragma vertex PlaceSceneryShadow
             #pragma fragment CastSceneryShadow
