@@ -61,5 +61,14 @@ namespace SphFluid
             parameters.shadowCastingMode = ShadowCastingMode.Off;
             return parameters;
         }
+
+        [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
+        private static void ResetStatics()
+        {
+            cameras.Clear();
+#if SPHFLUID_VR
+            found = new Camera[4];
+#endif
+        }
     }
 }
