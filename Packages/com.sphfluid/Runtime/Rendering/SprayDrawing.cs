@@ -45,7 +45,9 @@ namespace SphFluid
             parameters.shadowCastingMode = ShadowCastingMode.Off;
             int times = EyeDraws.Begin();
             for (int i = 0; i < times; i++)
+            {
                 Graphics.RenderPrimitivesIndirect(EyeDraws.Of(parameters, i), MeshTopology.Triangles, spray.Arguments);
+            }
         }
 
         /// <summary>As <see cref="Draw"/>, for what is recorded afterwards.</summary>

@@ -59,7 +59,9 @@ namespace SphFluid
             parameters.shadowCastingMode = ShadowCastingMode.Off;
             int times = EyeDraws.Begin();
             for (int i = 0; i < times; i++)
+            {
                 Graphics.RenderPrimitivesIndirect(EyeDraws.Of(parameters, i), MeshTopology.Triangles, buffers.DrawArguments);
+            }
         }
 
         /// <summary>Sets what is drawn and where, as <see cref="Draw"/> has it, for <see cref="Record"/>.</summary>

@@ -134,7 +134,8 @@ float4 ShadeDropBeforeWater(DropFragment input) : SV_Target
     return ShadeDrop(input);
 }
 
-// Into the picture of the scene that the water refracts, tested here as it has no depth of its own size: nothing behind the scene, nothing before the water.
+// Into the picture of the scene that the water refracts, tested here as it has no depth of its own size: nothing behind the scene, nothing
+// before the water.
 float4 ShadeDropBehindWater(DropFragment input) : SV_Target
 {
     EYE_OF(input)

@@ -20,8 +20,8 @@ float _ShadowStrength; // light that the shadow takes away, 0 to 1
 
 #define SAME_DEPTH 0.02 // of the depth; within it things count as one
 
-// URP may halve or quarter its picture of the scene, whose pixels then mix what stands at an edge with what is behind it. Of the four around
-// a place those count whose middle lies as deep as the place, or all where none does.
+// URP may halve or quarter its picture of the scene, whose pixels then mix what stands at an edge with what is behind it. Of the four
+// around a place those count whose middle lies as deep as the place, or all where none does.
 float3 CoarseSceneColour(float2 screen, float2 size)
 {
     float depth = SceneEyeDepth(screen);

@@ -47,7 +47,9 @@ namespace SphFluid.Tests
             rig.SetDepth((x, y) => WaterRig.Distance + (x < Size / 2 ? 0.1f : 1f));
             var coarse = new Texture2D(Size / 4, Size / 4, TextureFormat.RGBAFloat, false, true) { wrapMode = TextureWrapMode.Clamp };
             for (int i = 0; i < coarse.width * coarse.height; i++)
+            {
                 coarse.SetPixel(i % coarse.width, i / coarse.width, i % coarse.width < Size / 8 ? Color.red : Color.green);
+            }
             coarse.Apply();
             Color[] seen = rig.Render(block =>
             {
