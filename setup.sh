@@ -22,6 +22,13 @@ fxc=(d3dcompiler_47.dll gl@8.1.6 package/deps/windows/dll/x64/d3dcompiler_47.dll
     e994847e01a6f1e4cbdc5a864616ac262f67ee4f14db194984661a8d927ab7f4)
 dxc=(dxcompiler.dll webgpu@0.6.2 package/dist/win32-x64/dxcompiler.dll
     04cf618004bf19f789f54e8931c7f7106223bccd354b093c4ff725c748512602)
+# The translator of wgpu into WebGPU's language, and Chrome's WebGPU, for ./run check --only wgsl.
+naga=(naga.mjs naga-wasm@30.1.0 package/dist/wasm/naga.js
+    1338164cbc245394fe22309e2a89f1cd24a83733b23db4c97478c5f13b2c7e0d)
+naga_wasm=(naga_bg.wasm naga-wasm@30.1.0 package/dist/wasm/naga_bg.wasm
+    c7c5cd7322c14c5a0da57bf707fef71d1a51ee2c5094c0786d8216e04cfee4de)
+dawn=(dawn.node webgpu@0.6.2 package/dist/linux-x64/dawn.node
+    ab18a659f8325e874ea45c80347b64336d7f748601102753d2bc669fdecfd710)
 
 say() { printf 'setup: %s\n' "$*" >&2; }
 fail() { say "$*"; exit 1; }
@@ -122,5 +129,7 @@ if [[ $purpose == test ]]; then
     install_engine
     fetch_compiler "${fxc[@]}" || exit 1
     fetch_compiler "${dxc[@]}" || { say "without it ./run check leaves out DXC; the next run tries again."; exit 0; }
+    fetch_compiler "${naga[@]}" && fetch_compiler "${naga_wasm[@]}" && fetch_compiler "${dawn[@]}" \
+        || { say "without it ./run check leaves out WGSL; the next run tries again."; exit 0; }
 fi
 touch "$stamp"

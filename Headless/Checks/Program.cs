@@ -1,5 +1,6 @@
 using Headless.Checks;
 using Headless.Checks.Api;
+using Headless.Checks.Buffers;
 using Headless.Checks.Cross;
 using Headless.Checks.Documents;
 using Headless.Checks.Dxc;
@@ -8,6 +9,7 @@ using Headless.Checks.Format;
 using Headless.Checks.Fxc;
 using Headless.Checks.Gpu;
 using Headless.Checks.Shaders;
+using Headless.Checks.Wgsl;
 
 CheckOptions options;
 try
@@ -34,7 +36,9 @@ if (options.StandIn is { } standIn) Add("surface", () => [new StandInSurfaceChec
 Add("fxc", () => [new FxcCheck(packages, cache).Run()]);
 Add("dxc", () => [new DxcCheck(packages, cache).Run()]);
 Add("cross", () => new CrossCheck(packages, shaderCache).Run());
+Add("wgsl", () => [new WgslCheck(packages, shaderCache, cache).Run()]);
 Add("gpu", () => new GpuCheck(packages, shaderCache, Path.Combine(project, "Headless", "Checks", "Gpu", "Data")).Run(options.Update));
+Add("buffers", () => [new BufferCheck(packages, shaderCache, Path.Combine(project, "Headless", "Checks", "Buffers", "Data")).Run(options.Update)]);
 Add("uniform", () => [new UniformBranchCheck(packages, shaderCache).Run()]);
 Add("form", () => FormChecks.Run(packages));
 Add("docs", () => DocumentChecks.Run(packages));

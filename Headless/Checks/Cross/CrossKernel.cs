@@ -8,7 +8,6 @@ namespace Headless.Checks.Cross;
 internal sealed partial class CrossKernel(ShaderVariant variant, ShaderBinary binary)
 {
     private const string Front = "glslangValidator", Translator = "spirv-cross";
-    private const int ComputeTarget = 50;
 
     public ShaderVariant Variant { get; } = variant;
     public int StorageBuffers { get; } = binary.Resources.Count(r => r.Kind is ResourceKind.StructuredBuffer or ResourceKind.RWStructuredBuffer
@@ -32,7 +31,7 @@ internal sealed partial class CrossKernel(ShaderVariant variant, ShaderBinary bi
     {
         var problem = ToEssl(folder, binary.SpirV);
         // ESSL has no words for D3D's packing (a float3 of 12 bytes in an array); the code is the same in the layout of GLSL.
-        return problem is not null && problem.Contains("std430", StringComparison.Ordinal) ? ToEssl(folder, InGlslLayout()) : problem;
+        return problem is not null && problem.Contains("std430", StringComparison.Ordinal) ? ToEssl(folder, Variant.CompileInGlslLayout(ShaderStage.Compute, Variant.Entry)) : problem;
     }
 
     private string? ToEssl(string folder, byte[] code)
@@ -41,16 +40,6 @@ internal sealed partial class CrossKernel(ShaderVariant variant, ShaderBinary bi
         var text = spirV + ".comp";
         return Problem(Tool.Run(Translator, spirV, "--es", "--version", "310", "--output", text))
             ?? Problem(Tool.Run(Front, "-S", "comp", text));
-    }
-
-    private byte[] InGlslLayout()
-    {
-        var (source, kernel) = (Variant.Request.Source!, Variant.Request.Kernel!);
-        var declaration = source.Kernels.First(k => k.Name == kernel);
-        var (text, name) = KernelNames.Separate(
-            StageText.Build(source.Expanded, ShaderStage.Compute, ComputeTarget, declaration.Defines, Variant.Request.Keywords), kernel);
-        return new GlslangProcess(Front).Compile(
-            new StageJob(source.Expanded, ShaderStage.Compute, kernel, text, Variant.Name) { SourceEntryPoint = name });
     }
 
     private string Write(string folder, string extension, byte[] bytes)

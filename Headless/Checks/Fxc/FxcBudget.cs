@@ -25,7 +25,7 @@ internal sealed class FxcBudget(string packageRoot)
     {
         // The share of each plane is taken for walls, friction, floating bodies, zones and the force on walls, in one loop over what is near.
         ["MoveParticles"] = 1950,
-        ["GatherWalls"] = 2150, // planes of three turns, and sums over edges with their Hessian; bodies that stretch and those that float
+        ["GatherWalls"] = 2160, // planes of three turns, and sums over edges with their Hessian; bodies that stretch and those that float
         ["ResolveContacts"] = 1800, // four kinds of bodies; those that deform are followed through a step
         // 27 samples a thread in registers through nested loops, two filters.
         ["SampleBlocks"] = 1600,

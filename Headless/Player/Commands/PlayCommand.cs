@@ -103,6 +103,7 @@ internal sealed class PlayCommand : IDisposable
             $"stopping after this frame; {(options.Images ? "the film of the frames so far follows" : "the figures so far are kept")}. Ctrl-C again ends at once."));
         try
         {
+            if (options.Unset) UnsetProperties.Watch();
             activity.Begin("loading the scene");
             PlaySession.Begin(scene, session.Assemblies);
             if (Refused) return EngineState.ExitCode;
@@ -117,6 +118,7 @@ internal sealed class PlayCommand : IDisposable
         if (Refused) return EngineState.ExitCode;
         interruption.EndHere();
         activity.End();
+        foreach (string property in UnsetProperties.Found) Console.WriteLine("unset: " + property);
         SaveFigures(stopped is not null);
         int exitCode = EngineState.ExitCode;
         PlaySession.End();

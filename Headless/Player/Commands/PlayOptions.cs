@@ -27,6 +27,7 @@ public sealed record PlayOptions
         Flag.Switch("--open", "shows the film at the end, with the desktop's program for films"),
         Flag.Switch("--twice", "plays it again without a domain reload, and fails where a picture differs"),
         CommonFlags.Validate,
+        Flag.Switch("--unset", "lists what shaders read and nothing has set"),
         CommonFlags.ExecuteMethod("called before the scene is loaded"),
     ];
 
@@ -45,6 +46,9 @@ public sealed record PlayOptions
     public string? ExecuteMethod { get; init; }
     public bool Images { get; init; } = true;
     public bool Validate { get; init; }
+
+    /// <summary>Whether shader properties that were read unset are listed at the end.</summary>
+    public bool Unset { get; init; }
 
     /// <summary>Whether the scene is played a second time in the same process, which must show the same pictures.</summary>
     public bool Twice { get; init; }
@@ -74,6 +78,7 @@ public sealed record PlayOptions
             ExecuteMethod = arguments.Text("--executeMethod"),
             Images = !arguments.Has("--no-images"),
             Validate = arguments.Has("--validate"),
+            Unset = arguments.Has("--unset"),
             Open = arguments.Has("--open"),
             Twice = arguments.Has("--twice"),
         };

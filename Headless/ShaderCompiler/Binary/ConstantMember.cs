@@ -17,4 +17,7 @@ public sealed record ConstantMember(
     string Name, int Offset, int Size, int ArrayLength, int ArrayStride, string Type, bool IsMatrix, int Rows, int Columns)
 {
     public bool RowMajor { get; init; }
+
+    /// <summary>Whether the shader reads it; a constant buffer has what it only declares, too.</summary>
+    public bool IsRead { get; init; } = true;
 }

@@ -91,6 +91,7 @@ internal static class ShaderBinaryFormat
         writer.Write(member.Rows);
         writer.Write(member.Columns);
         writer.Write(member.RowMajor);
+        writer.Write(member.IsRead);
     }
 
     private static ConstantMember ReadMember(BinaryReader reader) =>
@@ -98,6 +99,7 @@ internal static class ShaderBinaryFormat
             reader.ReadString(), reader.ReadBoolean(), reader.ReadInt32(), reader.ReadInt32())
         {
             RowMajor = reader.ReadBoolean(),
+            IsRead = reader.ReadBoolean(),
         };
 
     private static void WriteInput(BinaryWriter writer, VertexInput input)

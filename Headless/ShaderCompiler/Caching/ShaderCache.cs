@@ -7,7 +7,7 @@ namespace Headless.Shaders;
 internal sealed class ShaderCache(string directory)
 {
     /// <summary>Raised whenever rewriting or the file format changes.</summary>
-    private const int FormatVersion = 7;
+    private const int FormatVersion = 8;
 
     /// <summary>Why the last write failed; null when none did.</summary>
     public string? WriteProblem { get; private set; }

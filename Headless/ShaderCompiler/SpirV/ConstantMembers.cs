@@ -1,9 +1,11 @@
 namespace Headless.Shaders.SpirV;
 
 /// <summary>Lists the members of a constant buffer at the offsets that stand in the module.</summary>
-internal sealed class ConstantMembers(SpirVIndex index, D3DLayout layout)
+/// <param name="readMembers">Of the outermost structure, those that the shader reads.</param>
+internal sealed class ConstantMembers(SpirVIndex index, D3DLayout layout, IReadOnlySet<uint> readMembers)
 {
     private readonly List<ConstantMember> _members = [];
+    private bool _isRead;
 
     public IReadOnlyList<ConstantMember> Read(uint structure)
     {
@@ -16,6 +18,7 @@ internal sealed class ConstantMembers(SpirVIndex index, D3DLayout layout)
         SpirVInstruction definition = index.Definition(structure);
         for (int member = 0; member < definition.Operands.Length - 1; member++)
         {
+            _isRead = path.Length > 0 ? _isRead : readMembers.Contains((uint)member);
             string name = path + index.MemberName(structure, member);
             int offset = start + (int)index.Find(structure, member, SpirVDecoration.Offset)![3];
             bool rowMajor = index.Find(structure, member, SpirVDecoration.ColMajor) is null;
@@ -55,6 +58,7 @@ internal sealed class ConstantMembers(SpirVIndex index, D3DLayout layout)
         _members.Add(new ConstantMember(name, offset, size, length, stride, scalar, matrix, rows, columns)
         {
             RowMajor = matrix && !rowMajor,
+            IsRead = _isRead,
         });
     }
 

@@ -85,20 +85,26 @@ internal sealed class ShaderReflector(
             },
             SpirVOp.TypeImage => Image(name, binding, definition),
             _ when index.Has(type, SpirVDecoration.Block) && (SpirVStorage)variable[2] == SpirVStorage.Uniform
-                => ConstantBuffer(name, binding, type),
+                => ConstantBuffer(name, binding, type, variable[1]),
             _ => StorageBuffer(name, binding, type),
         };
         return resource with { Count = count };
     }
 
-    private ShaderResource ConstantBuffer(string name, int binding, uint type)
+    private ShaderResource ConstantBuffer(string name, int binding, uint type, uint variable)
     {
         string blockName = name.Length > 0 ? name : index.Name(type);
-        IReadOnlyList<ConstantMember> members = new ConstantMembers(index, layout).Read(type);
+        IReadOnlyList<ConstantMember> members = new ConstantMembers(index, layout, ReadMembers(variable)).Read(type);
         int size = members.Max(m => m.Offset + m.Size);
         return new ShaderResource(
             blockName == "$Global" ? "$Globals" : blockName, ResourceKind.ConstantBuffer, binding, (size + 15) / 16 * 16, 0, members, "");
     }
+
+    private HashSet<uint> ReadMembers(uint variable) =>
+    [
+        .. index.Module.Instructions.Where(i => i.Op is SpirVOp.AccessChain or SpirVOp.InBoundsAccessChain && i[2] == variable)
+            .Select(i => index.Definition(i[3])[2]),
+    ];
 
     private ShaderResource StorageBuffer(string name, int binding, uint type)
     {

@@ -5,6 +5,7 @@ using System.Runtime.CompilerServices;
 [assembly: InternalsVisibleTo("SphFluid.Tests.Shared")]
 [assembly: InternalsVisibleTo("SphFluid.Tests.Editor")]
 [assembly: InternalsVisibleTo("SphFluid.Tests.Runtime")]
+[assembly: InternalsVisibleTo("SphFluid.Tests.Universal")]
 [assembly: InternalsVisibleTo("SphFluid.Thesis")]
 [assembly: InternalsVisibleTo("SphFluid.Thesis.Editor")]
 [assembly: InternalsVisibleTo("SphFluid.Thesis.Tests.Editor")]

@@ -13,6 +13,7 @@ namespace SphFluid
     /// </summary>
     internal sealed class BehindWaterPass : ScriptableRenderPass
     {
+        [OutlivesPlay("it is a name in the profiler")]
         private static readonly ProfilingSampler sampler = new ProfilingSampler("Fluid Behind Water");
 
         public BehindWaterPass()

@@ -10,7 +10,7 @@ namespace SphFluid
     /// </summary>
     internal sealed class UniversalSceneTextures : ISceneTextureSource
     {
-        private readonly BehindWaterPass pass = new BehindWaterPass();
+        private BehindWaterPass pass;
 
         public RendererLimit Limit => LimitOf((GraphicsSettings.currentRenderPipeline as UniversalRenderPipelineAsset)?.scriptableRenderer);
 
@@ -18,12 +18,16 @@ namespace SphFluid
         {
             ScriptableRenderer renderer = camera.GetUniversalAdditionalCameraData().scriptableRenderer;
             if (renderer == null || LimitOf(renderer) != RendererLimit.None) return default;
-            renderer.EnqueuePass(pass);
+            renderer.EnqueuePass(pass ??= new BehindWaterPass());
             return new SceneTextures(SceneColourSource.OpaqueTexture, true);
         }
 
         // A renderer forgets its passes after each camera.
-        public void Release() => pass.Release();
+        public void Release()
+        {
+            pass?.Release();
+            pass = null;
+        }
 
         private static RendererLimit LimitOf(ScriptableRenderer renderer)
         {

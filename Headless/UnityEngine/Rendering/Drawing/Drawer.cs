@@ -68,6 +68,7 @@ internal static class Drawer
         SetObject(matrix);
         var chain = new PropertyChain(block, material, programs, PerDraw);
         ResourceBindings bindings = variant.Bindings;
+        UnsetProperties.ReadBy(pass);
         foreach (BindingTable table in variant.Tables)
         {
             if (!StageBinder.Bind(table, chain, bindings, out string? problem))

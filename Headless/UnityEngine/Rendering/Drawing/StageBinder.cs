@@ -96,6 +96,11 @@ internal static class StageBinder
         }
 
         bool fits = texture is not null && DimensionOf(texture) == entry.Dimension;
+        if (!fits)
+        {
+            UnsetProperties.Note(entry.NameId);
+        }
+
         bindings.SetTexture(table.Set, entry.Binding, fits ? texture! : DefaultTextures.Empty(entry.Dimension));
         return true;
     }
@@ -135,6 +140,10 @@ internal static class StageBinder
                 var size = new ShaderValue();
                 size.Set(chain.TexelSize(member.TexelSizeOf), ShaderValueKind.Vector);
                 ConstantPacker.Write(bytes, member.Constant, size);
+            }
+            else if (member.Constant.IsRead)
+            {
+                UnsetProperties.Note(member.NameId);
             }
         }
 

@@ -12,7 +12,7 @@ namespace SphFluid
 
         private readonly bool isPlanned;
         private readonly List<FluidBuffer> buffers = new List<FluidBuffer>();
-        private readonly List<(FluidBuffer buffer, int more)> forEach = new List<(FluidBuffer, int)>();
+        private readonly List<(FluidBuffer buffer, long more)> forEach = new List<(FluidBuffer, long)>();
 
         /// <param name="isPlanned">Whether only the sizes are asked for: no memory is taken.</param>
         protected BufferSet(bool isPlanned = false) => this.isPlanned = isPlanned;
@@ -56,9 +56,9 @@ namespace SphFluid
 
         /// <summary>Makes a buffer with an element a particle, which <see cref="Resize"/> makes larger, and some more.</summary>
         /// <exception cref="FluidDeviceException">The device has too little memory for a buffer of this size.</exception>
-        protected FluidBuffer AddForEach(string name, int particleCount, int stride, int more = 0)
+        protected FluidBuffer AddForEach(string name, int particleCount, int stride, long more = 0)
         {
-            FluidBuffer buffer = Add(name, (long)particleCount + more, stride);
+            FluidBuffer buffer = Add(name, particleCount + more, stride);
             forEach.Add((buffer, more));
             return buffer;
         }
@@ -74,7 +74,7 @@ namespace SphFluid
             var made = new List<GraphicsBuffer>();
             try
             {
-                foreach ((FluidBuffer buffer, int more) in forEach) made.Add(buffer.Another((long)particleCount + more));
+                foreach ((FluidBuffer buffer, long more) in forEach) made.Add(buffer.Another(particleCount + more));
             }
             catch
             {

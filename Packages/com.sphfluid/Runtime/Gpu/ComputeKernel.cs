@@ -90,6 +90,20 @@ namespace SphFluid
         /// <summary>Records a buffer for the next dispatch, by the name that kernels write it by.</summary>
         internal void SetOut(CommandBuffer cmd, FluidBuffer buffer) => SetBuffer(cmd, buffer.OutId, buffer);
 
+        /// <summary>Records a part of a buffer that the kernel reads.</summary>
+        internal void Set(CommandBuffer cmd, BufferRange range)
+        {
+            Set(cmd, range.Buffer);
+            SetInt(cmd, range.BeginId, range.Begin);
+        }
+
+        /// <summary>Records a part of a buffer that the kernel writes.</summary>
+        internal void SetOut(CommandBuffer cmd, BufferRange range)
+        {
+            SetOut(cmd, range.Buffer);
+            SetInt(cmd, range.BeginId, range.Begin);
+        }
+
         /// <summary>Records a number for the next dispatch.</summary>
         /// <param name="cmd">Command buffer.</param>
         /// <param name="id">Property id.</param>

@@ -48,6 +48,9 @@ namespace SphFluid
         /// <summary>The buffer.</summary>
         public static implicit operator GraphicsBuffer(FluidBuffer named) => named.buffer;
 
+        /// <summary>A part of it that begins with an element and has a name of its own.</summary>
+        public BufferRange Range(string part, long begin) => new BufferRange(this, part, checked((int)begin));
+
         /// <summary>Fills the buffer from the CPU, unless it is only planned.</summary>
         public void SetData(Array data) => buffer?.SetData(data);
 

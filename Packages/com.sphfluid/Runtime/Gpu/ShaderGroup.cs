@@ -36,13 +36,13 @@ namespace SphFluid
 
         /// <summary>The sums of what the liquid gives to its walls.</summary>
         public static readonly ShaderGroup WallForces = new ShaderGroup("the force on walls", "Shaders/Solver/WallForces",
-            groupThreads: 64, buffers: 18, writableBuffers: 7, groupMemory: 11520, vertexBuffers: 0,
+            groupThreads: 64, buffers: 13, writableBuffers: 6, groupMemory: 11520, vertexBuffers: 0,
             "PlaceWallPatches")
         { Keyword = "FLUID_WALL_FORCES" };
 
         /// <summary>Spray, foam and bubbles.</summary>
         public static readonly ShaderGroup Whitewater = new ShaderGroup("whitewater", "Shaders/Whitewater",
-            groupThreads: 256, buffers: 8, writableBuffers: 3, groupMemory: 4096, vertexBuffers: 1,
+            groupThreads: 256, buffers: 7, writableBuffers: 3, groupMemory: 4096, vertexBuffers: 1,
             "WhitewaterPotentials", "WhitewaterMotion", "WhitewaterList", "Hidden/SPH Fluid/Whitewater",
             "Hidden/SPH Fluid/Whitewater Behind Water");
 

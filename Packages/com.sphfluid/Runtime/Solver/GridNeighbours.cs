@@ -17,7 +17,7 @@ namespace SphFluid
 
         private static readonly int ListLength = Shader.PropertyToID("_ListLength");
         private static readonly int Neighbours = Shader.PropertyToID("_Neighbours");
-        private static readonly int NeighbourCounts = Shader.PropertyToID("_NeighbourCounts");
+        private static readonly int NeighbourCountsBegin = Shader.PropertyToID("_NeighbourCountsBegin");
 
         // Shaders/Solver/GridNeighbours.hlsl has both searches.
         private static readonly int CellsOfSmoothLength = Shader.PropertyToID("_CellsOfH");
@@ -44,7 +44,7 @@ namespace SphFluid
         {
             kernel.SetInt(cmd, ListLength, 0);
             kernel.SetBuffer(cmd, Neighbours, anything);
-            kernel.SetBuffer(cmd, NeighbourCounts, anything);
+            kernel.SetInt(cmd, NeighbourCountsBegin, 0);
         }
 
         public static void Set(CommandBuffer cmd, ComputeKernel kernel, FluidState state)

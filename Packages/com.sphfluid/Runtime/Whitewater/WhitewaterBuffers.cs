@@ -31,8 +31,7 @@ namespace SphFluid
             DrawArguments = Add("WhitewaterArguments", 4, sizeof(uint), Arguments);
             NoBodies = Add("Bodies", 1, CollisionBody.Stride);
             NoTriangles = Add("BodyTriangles", 1, BodyTriangle.Stride);
-            NoCells = Add("BodyCells", 1, sizeof(uint));
-            NoReferences = Add("CellTriangles", 1, sizeof(uint));
+            NoLists = Add("BodyLists", 1, sizeof(uint));
             NoBodies.SetData(new uint[CollisionBody.Stride / sizeof(uint)]);
             DrawArguments.SetData(new uint[] { 0, 1, 0, 0 });
             State.SetData(Zeros);
@@ -62,8 +61,7 @@ namespace SphFluid
         /// <summary>An element each to bind where the liquid collides with nothing.</summary>
         public FluidBuffer NoBodies { get; }
         public FluidBuffer NoTriangles { get; }
-        public FluidBuffer NoCells { get; }
-        public FluidBuffer NoReferences { get; }
+        public FluidBuffer NoLists { get; }
 
         /// <summary>float4 a particle of the liquid: the normal out of it, zero within, and trapped air [m/s].</summary>
         public FluidBuffer Normals => normals;

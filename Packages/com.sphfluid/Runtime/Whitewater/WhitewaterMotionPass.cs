@@ -80,8 +80,7 @@ namespace SphFluid
         {
             kernel.Set(cmd, buffers.NoBodies);
             kernel.Set(cmd, buffers.NoTriangles);
-            kernel.Set(cmd, buffers.NoCells);
-            kernel.Set(cmd, buffers.NoReferences);
+            kernel.Set(cmd, buffers.NoLists);
             if (solver.State.HasBodies) solver.State.Bodies.Bind(cmd, kernel, 0f, 1f);
         }
     }

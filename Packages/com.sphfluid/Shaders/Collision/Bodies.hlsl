@@ -29,7 +29,7 @@ struct CollisionBody
     float4 Rotation0;
     float4 Rotation1; // at its end
     float3 Position0; // m
-    uint FirstCell;   // of _BodyCells
+    uint FirstCell;   // behind _BodyCellsBegin
     float3 Position1;
     uint Flags;
     float3 GridOrigin; // m, body frame
@@ -63,8 +63,9 @@ struct BodyTriangle
 
 StructuredBuffer<CollisionBody> _Bodies;
 StructuredBuffer<BodyTriangle> _BodyTriangles;
-StructuredBuffer<uint> _BodyCells;     // a body has cells + 1 entries: the range of a cell in _CellTriangles
-StructuredBuffer<uint> _CellTriangles; // indices into _BodyTriangles
+StructuredBuffer<uint> _BodyLists; // first what is known of the edges of each triangle: WallEnergy.hlsl
+uint _BodyCellsBegin;     // a body has cells + 1 entries: the range of a cell in what follows
+uint _CellTrianglesBegin; // indices into _BodyTriangles
 float _PoseStart; // where this step begins in the frame's motion, 0 to 1
 float _PoseEnd;
 
@@ -182,15 +183,15 @@ float3 Displacement(BodyPose start, BodyPose end, float3 position)
     return ToSimulation(end, Carried(start, end, position)) - ToSimulation(start, position);
 }
 
-// Range in _CellTriangles of the cell that holds a position of the triangles' frame; empty outside the grid.
+// Range in _BodyLists of the triangles of the cell that holds a position of the triangles' frame; empty outside the grid.
 uint2 BodyCellRange(CollisionBody body, float3 position)
 {
     const int3 cell = int3(floor((position - body.GridOrigin) / body.CellSide));
     uint2 range = uint2(0u, 0u);
     if (all(cell >= 0) && all(cell < body.GridCounts))
     {
-        const uint index = body.FirstCell + uint(cell.x + body.GridCounts.x * (cell.y + body.GridCounts.y * cell.z));
-        range = uint2(_BodyCells[index], _BodyCells[index + 1u]);
+        const uint index = _BodyCellsBegin + body.FirstCell + uint(cell.x + body.GridCounts.x * (cell.y + body.GridCounts.y * cell.z));
+        range = _CellTrianglesBegin + uint2(_BodyLists[index], _BodyLists[index + 1u]);
     }
     return range;
 }

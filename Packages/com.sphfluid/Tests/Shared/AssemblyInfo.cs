@@ -3,6 +3,7 @@ using System.Runtime.CompilerServices;
 [assembly: InternalsVisibleTo("SphFluid.Thesis.Tests.Editor")]
 [assembly: InternalsVisibleTo("SphFluid.Tests.Editor")]
 [assembly: InternalsVisibleTo("SphFluid.Tests.Runtime")]
+[assembly: InternalsVisibleTo("SphFluid.Tests.Universal")]
 [assembly: InternalsVisibleTo("SphFluid.Validation.Tests.Editor")]
 [assembly: InternalsVisibleTo("SphFluid.Validation.Tests.Runtime")]
 [assembly: InternalsVisibleTo("SphFluid.Playback.Tests.Shared")]

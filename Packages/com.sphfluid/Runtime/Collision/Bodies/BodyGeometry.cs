@@ -11,9 +11,9 @@ namespace SphFluid
     internal sealed class BodyGeometry : IDisposable
     {
         private static readonly int TrianglesId = Shader.PropertyToID("_BodyTriangles");
-        private static readonly int CellsId = Shader.PropertyToID("_BodyCells");
-        private static readonly int ReferencesId = Shader.PropertyToID("_CellTriangles");
-        private static readonly int EdgesId = Shader.PropertyToID("_TriangleEdges");
+        private static readonly int ListsId = Shader.PropertyToID("_BodyLists");
+        private static readonly int ReferencesBeginId = Shader.PropertyToID("_CellTrianglesBegin");
+        private static readonly int CellsBeginId = Shader.PropertyToID("_BodyCellsBegin");
 
         private readonly float reach;
         private readonly List<BodyTriangle> triangles = new List<BodyTriangle>();
@@ -25,7 +25,9 @@ namespace SphFluid
         private uint surfaces; // of that body
         private uint cellCount, referenceCount;
         private Lengths steady; // before the bodies that are made anew every frame
-        private GraphicsBuffer triangleBuffer, edgeBuffer, cellBuffer, referenceBuffer;
+        private GraphicsBuffer triangleBuffer;
+        private GraphicsBuffer listBuffer; // edges, cells from one place on, references from another
+        private int cellsBegin, referencesBegin;
 
         /// <param name="reach">How far a cell looks [m].</param>
         public BodyGeometry(float reach)
@@ -40,7 +42,7 @@ namespace SphFluid
         public int LeftOut { get; private set; }
 
         /// <summary>Bytes of the GPU buffers.</summary>
-        public long Bytes => GpuBuffers.Size(triangleBuffer, edgeBuffer, cellBuffer, referenceBuffer);
+        public long Bytes => GpuBuffers.Size(triangleBuffer, listBuffer);
 
         /// <summary>Begins anew.</summary>
         public void Clear()
@@ -177,19 +179,24 @@ namespace SphFluid
 
         /// <summary>Bytes that the buffers take once all is copied.</summary>
         public long PlannedBytes =>
-            GpuBuffers.BytesOf(WithSlack(triangles.Count, steady.Triangles), BodyTriangle.Stride + sizeof(uint)) +
-            GpuBuffers.BytesOf(WithSlack(cellCount, steady.Cells), sizeof(uint)) +
-            GpuBuffers.BytesOf(WithSlack(referenceCount, steady.References), sizeof(uint));
+            GpuBuffers.BytesOf(TriangleRoom, BodyTriangle.Stride) + GpuBuffers.BytesOf(CellRoom + ReferenceRoom + TriangleRoom, sizeof(uint));
+
+        private long TriangleRoom => WithSlack(triangles.Count, steady.Triangles);
+        private long CellRoom => WithSlack(cellCount, steady.Cells);
+        private long ReferenceRoom => WithSlack(referenceCount, steady.References);
 
         /// <summary>
         /// Copies all to the GPU; buffers are replaced only when they grow, and leave room for what is made anew to grow by half.
         /// </summary>
         public void Upload()
         {
-            GpuBuffers.Reserve(ref triangleBuffer, "BodyTriangles", WithSlack(triangles.Count, steady.Triangles), BodyTriangle.Stride);
-            GpuBuffers.Reserve(ref edgeBuffer, "TriangleEdges", WithSlack(edges.Count, steady.Triangles), sizeof(uint));
-            GpuBuffers.Reserve(ref cellBuffer, "BodyCells", WithSlack(cellCount, steady.Cells), sizeof(uint));
-            GpuBuffers.Reserve(ref referenceBuffer, "CellTriangles", WithSlack(referenceCount, steady.References), sizeof(uint));
+            GpuBuffers.Reserve(ref triangleBuffer, "BodyTriangles", TriangleRoom, BodyTriangle.Stride);
+            if (listBuffer == null || !HasRoom(CellRoom, ReferenceRoom, TriangleRoom))
+            {
+                GpuBuffers.Dispose(ref listBuffer);
+                listBuffer = GpuBuffers.Create("BodyLists", CellRoom + ReferenceRoom + TriangleRoom, sizeof(uint));
+                (cellsBegin, referencesBegin) = ((int)TriangleRoom, (int)(TriangleRoom + CellRoom));
+            }
             Upload(default);
         }
 
@@ -197,23 +204,23 @@ namespace SphFluid
         /// <returns>False where the buffers are too small: all has to be made and copied anew.</returns>
         public bool TryUploadDeforming()
         {
-            if (triangles.Count > triangleBuffer.count || cellCount > cellBuffer.count || referenceCount > referenceBuffer.count)
-            {
-                return false;
-            }
+            if (triangles.Count > triangleBuffer.count || !HasRoom(cellCount, referenceCount, edges.Count)) return false;
             Upload(steady);
             return true;
         }
 
+        private bool HasRoom(long cells, long references, long triangleCount) => triangleCount <= cellsBegin &&
+            cells <= referencesBegin - cellsBegin && references <= listBuffer.count - referencesBegin;
+
         private void Upload(Lengths from)
         {
             triangleBuffer.SetData(triangles, from.Triangles, from.Triangles, triangles.Count - from.Triangles);
-            edgeBuffer.SetData(edges, from.Triangles, from.Triangles, edges.Count - from.Triangles);
-            int cell = (int)from.Cells, reference = (int)from.References;
+            listBuffer.SetData(edges, from.Triangles, from.Triangles, edges.Count - from.Triangles);
+            int cell = cellsBegin + (int)from.Cells, reference = referencesBegin + (int)from.References;
             foreach (BodyGrid grid in grids)
             {
-                Append(cellBuffer, grid.Starts, ref cell);
-                Append(referenceBuffer, grid.References, ref reference);
+                Append(grid.Starts, ref cell);
+                Append(grid.References, ref reference);
             }
             DisposeGrids();
         }
@@ -222,20 +229,16 @@ namespace SphFluid
         public void Bind(CommandBuffer cmd, ComputeKernel kernel)
         {
             kernel.SetBuffer(cmd, TrianglesId, triangleBuffer);
-            kernel.SetBuffer(cmd, CellsId, cellBuffer);
-            kernel.SetBuffer(cmd, ReferencesId, referenceBuffer);
+            kernel.SetBuffer(cmd, ListsId, listBuffer);
+            kernel.SetInt(cmd, ReferencesBeginId, referencesBegin);
+            kernel.SetInt(cmd, CellsBeginId, cellsBegin);
         }
-
-        /// <summary>Records the edges of the triangles for a kernel that needs them.</summary>
-        public void BindEdges(CommandBuffer cmd, ComputeKernel kernel) => kernel.SetBuffer(cmd, EdgesId, edgeBuffer);
 
         public void Dispose()
         {
             DisposeGrids();
             GpuBuffers.Dispose(ref triangleBuffer);
-            GpuBuffers.Dispose(ref edgeBuffer);
-            GpuBuffers.Dispose(ref cellBuffer);
-            GpuBuffers.Dispose(ref referenceBuffer);
+            GpuBuffers.Dispose(ref listBuffer);
         }
 
         private void DisposeGrids()
@@ -253,9 +256,9 @@ namespace SphFluid
             public uint Cells, References;
         }
 
-        private static void Append(GraphicsBuffer buffer, NativeArray<uint> data, ref int at)
+        private void Append(NativeArray<uint> data, ref int at)
         {
-            if (data.Length > 0) buffer.SetData(data, 0, at, data.Length);
+            if (data.Length > 0) listBuffer.SetData(data, 0, at, data.Length);
             at += data.Length;
         }
     }

@@ -183,9 +183,6 @@ namespace SphFluid
             geometry.Bind(cmd, kernel);
         }
 
-        /// <summary>Records which edges of the triangles are inside of planes, for a kernel that adds up walls.</summary>
-        public void BindEdges(CommandBuffer cmd, ComputeKernel kernel) => geometry.BindEdges(cmd, kernel);
-
         public void Dispose()
         {
             GpuBuffers.Dispose(ref bodyBuffer);

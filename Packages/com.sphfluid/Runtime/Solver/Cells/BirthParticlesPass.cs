@@ -49,10 +49,9 @@ namespace SphFluid
                 kernel.SetFloat(cmd, SupportSquared, state.Settings.SupportRadius * state.Settings.SupportRadius);
                 kernel.SetOut(cmd, state.Buffers.NewPositions);
                 kernel.SetOut(cmd, state.Buffers.NewVelocities);
-                kernel.SetOut(cmd, state.Buffers.Rank);
                 kernel.SetOut(cmd, state.List.Counts);
                 if (CellBindings.SetCarries(cmd, kernel, state)) kernel.SetBuffer(cmd, CellBindings.CarriedOut, state.Carried);
-                kernel.Set(cmd, state.Buffers.CellCount);
+                CellBindings.SetCounts(cmd, kernel, state);
                 kernel.Set(cmd, state.Published.Counters);
                 kernel.DispatchThreads(cmd, births.Count);
             }

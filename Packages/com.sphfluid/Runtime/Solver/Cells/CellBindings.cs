@@ -25,7 +25,6 @@ namespace SphFluid
         private static readonly int CellOrigin = Shader.PropertyToID("_CellOrigin");
         private static readonly int CellsPerMetre = Shader.PropertyToID("_CellsPerMetre");
         private static readonly int CellCounts = Shader.PropertyToID("_CellCounts");
-        private static readonly int CellStart = Shader.PropertyToID("_CellStart");
         private static readonly int KeepsOrder = Shader.PropertyToID("_KeepsOrder");
         private static readonly int Drains = Shader.PropertyToID("_Drains");
         private static readonly int InverseSupport = Shader.PropertyToID("_InverseSupport");
@@ -49,16 +48,23 @@ namespace SphFluid
         }
 
         /// <summary>CellRows.hlsl: the cells and the first particle of each.</summary>
-        public static void SetCells(CommandBuffer cmd, ComputeKernel kernel, in CellRows cells, GraphicsBuffer cellStart)
+        public static void SetCells(CommandBuffer cmd, ComputeKernel kernel, CellState state)
         {
-            SetCells(cmd, kernel, cells);
-            kernel.SetBuffer(cmd, CellStart, cellStart);
+            SetCells(cmd, kernel, state.Cells);
+            kernel.Set(cmd, state.Buffers.CellTable);
+        }
+
+        /// <summary>CellSums.hlsl: what is counted in the cells, and each particle's place.</summary>
+        public static void SetCounts(CommandBuffer cmd, ComputeKernel kernel, CellState state)
+        {
+            kernel.SetOut(cmd, state.Buffers.CellCount);
+            kernel.SetOut(cmd, state.Buffers.Rank);
         }
 
         /// <summary>CellRows.hlsl and DomainFaces.hlsl: the search for neighbours.</summary>
         public static void SetSearch(CommandBuffer cmd, ComputeKernel kernel, CellState state)
         {
-            SetCells(cmd, kernel, state.Cells, state.Buffers.CellStart);
+            SetCells(cmd, kernel, state);
             DomainBindings.SetPeriodic(cmd, kernel, state.Settings);
         }
 
@@ -68,8 +74,7 @@ namespace SphFluid
             kernel.SetBool(cmd, KeepsOrder, step.KeepsOrder);
             kernel.SetBool(cmd, Drains, state.IsDrained);
             kernel.SetOut(cmd, state.Buffers.NewPositions);
-            kernel.Set(cmd, state.Buffers.CellCount);
-            kernel.SetOut(cmd, state.Buffers.Rank);
+            SetCounts(cmd, kernel, state);
         }
 
         /// <summary>Wendland.hlsl and FaceWalls.hlsl: the kernel, and what the faces of the domain add to its sums.</summary>
@@ -89,7 +94,8 @@ namespace SphFluid
             bool floats = SetImpulses(cmd, kernel, state);
             kernel.SetKeyword(cmd, MeshWalls, state.HasBodies && !floats);
             if (!state.HasBodies) return;
-            kernel.Set(cmd, state.Walls.WallSlot);
+            kernel.Set(cmd, state.List.WallSlot);
+            kernel.Set(cmd, state.List.WallBodies);
             kernel.Set(cmd, state.Walls.NearWalls);
         }
 

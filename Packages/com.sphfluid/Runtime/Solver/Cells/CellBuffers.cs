@@ -25,28 +25,25 @@ namespace SphFluid
         /// <summary>Velocities after the step [m/s]; w: the id's bits.</summary>
         public readonly FluidBuffer NewVelocities;
 
-        /// <summary>ρ [kg/m³].</summary>
-        public readonly FluidBuffer Densities;
-
         /// <summary>
         /// Positions with which the step begins [m]; w: p/ρ², and what NewPositions has between the sort and the density.
         /// </summary>
         public readonly FluidBuffer PositionTerms;
 
-        /// <summary>Place of each particle within its cell.</summary>
-        public readonly FluidBuffer Rank;
-
         /// <summary>Particles in the order of their cells, as indices, for the stable order.</summary>
         public readonly FluidBuffer Order;
 
-        /// <summary>
-        /// Particles of each cell after the step, and those that left the domain in it; behind them <see cref="SumCount"/> sums of them for
-        /// the scan.
-        /// </summary>
-        public readonly FluidBuffer CellCount;
-
         /// <summary>First particle of each cell, the number of live particles, and that with those that left in the last step.</summary>
-        public readonly FluidBuffer CellStart;
+        public readonly FluidBuffer CellTable;
+
+        /// <summary>
+        /// Behind them, particles of each cell after the step, and those that left the domain in it, and <see cref="SumCount"/> sums of them
+        /// for the scan.
+        /// </summary>
+        public readonly BufferRange CellCount;
+
+        /// <summary>And the place of each particle within its cell.</summary>
+        public readonly BufferRange Rank;
 
         /// <summary>Cells, and one for those that left the domain.</summary>
         public readonly int CellTotal;
@@ -60,14 +57,14 @@ namespace SphFluid
             Velocities = AddForEach("Velocities", particleCount, 16);
             NewPositions = AddForEach("NewPositions", particleCount, 16);
             NewVelocities = AddForEach("NewVelocities", particleCount, 16);
-            Densities = AddForEach("Densities", particleCount, 4);
             PositionTerms = AddForEach("PositionTerms", particleCount, 16);
-            Rank = AddForEach("Rank", particleCount, 4);
             Order = AddForEach("Order", particleCount, 4);
             CellTotal = cellCount + 1;
             SumCount = CellRows.ScanSums(CellTotal);
-            CellCount = Add("CellCount", CellTotal + (long)SumCount, 4);
-            CellStart = Add("CellStart", cellCount + 2L, 4);
+            long counts = cellCount + 2L, ranks = counts + CellTotal + SumCount;
+            CellTable = AddForEach("CellTable", particleCount, 4, ranks);
+            CellCount = CellTable.Range("CellCount", counts);
+            Rank = CellTable.Range("Rank", ranks);
         }
     }
 }

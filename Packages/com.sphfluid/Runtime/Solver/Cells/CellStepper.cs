@@ -130,7 +130,7 @@ namespace SphFluid
         protected void ProveMotion(CommandBuffer cmd, in FluidStep step, FluidBuffer from)
         {
             findContacts.Record(cmd, Cells, step, from);
-            resolveContacts.Record(cmd, Cells, step, from);
+            resolveContacts.Record(cmd, Cells, step);
         }
     }
 }

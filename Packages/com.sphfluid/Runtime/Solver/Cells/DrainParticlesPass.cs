@@ -85,6 +85,6 @@ namespace SphFluid
         }
 
         private static void BindParticles(CommandBuffer cmd, ComputeKernel kernel, CellState state) =>
-            CellBindings.SetCells(cmd, kernel, state.Cells, state.Buffers.CellStart);
+            CellBindings.SetCells(cmd, kernel, state);
     }
 }

@@ -23,11 +23,10 @@ namespace SphFluid
         {
             using (Sample(cmd))
             {
-                MeshContact.SetStep(cmd, kernel, state, step, from);
-                kernel.Set(cmd, state.Walls.WallGap);
+                MeshContact.SetStep(cmd, kernel, state, step);
+                kernel.SetBuffer(cmd, state.Buffers.PositionTerms.Id, from);
                 kernel.SetFloat(cmd, LongestDisplacement, ContactDistances.LongestDisplacement(state.Settings));
-                kernel.SetOut(cmd, state.Walls.ContactList);
-                kernel.SetOut(cmd, state.Walls.ContactArguments);
+                kernel.SetOut(cmd, state.Walls.WallGap);
                 kernel.DispatchThreads(cmd, state.ParticleCount);
             }
         }

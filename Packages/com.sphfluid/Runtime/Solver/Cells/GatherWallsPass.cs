@@ -34,17 +34,17 @@ namespace SphFluid
                 CellBindings.SetFaces(cmd, kernel, state.Settings);
                 MeshContact.Set(cmd, kernel, state.Settings);
                 state.Bodies.Bind(cmd, kernel, step.x, step.y);
-                state.Bodies.BindEdges(cmd, kernel);
-                CellBindings.SetCells(cmd, kernel, state.Cells, state.Buffers.CellStart);
+                CellBindings.SetCells(cmd, kernel, state);
                 kernel.SetFloat(cmd, TimeStep, step.z);
                 kernel.SetFloat(cmd, SteepestWall, state.SteepestWall);
                 kernel.SetFloat(cmd, FloatsHere, isAtEnd ? 1f : 0f);
                 kernel.SetFloat(cmd, GapScale, state.Bodies.IsUnderWay ? 0f : 0.999f);
                 kernel.SetInt(cmd, IsKept, isKept ? 1 : 0);
                 kernel.SetBuffer(cmd, state.Buffers.Positions.Id, positions);
-                kernel.SetOut(cmd, state.Walls.WallSlot);
+                CellBindings.SetFloating(cmd, kernel, state);
+                kernel.SetOut(cmd, state.List.WallSlot);
+                kernel.SetOut(cmd, state.List.WallBodies);
                 kernel.SetOut(cmd, state.Walls.NearWalls);
-                if (CellBindings.SetFloating(cmd, kernel, state)) kernel.SetOut(cmd, state.Walls.WallBodies);
                 kernel.SetOut(cmd, state.Walls.WallGap);
                 kernel.DispatchThreads(cmd, state.ParticleCount);
             }

@@ -1,3 +1,4 @@
+using System;
 using UnityEngine;
 using UnityEngine.Rendering;
 
@@ -7,6 +8,7 @@ namespace SphFluid
     internal sealed class GrowParticlesPass : ComputePass
     {
         private static readonly int ParticleCount = Id("_ParticleCount");
+        private static readonly int OldCountsBegin = Id("_OldCountsBegin");
 
         private readonly ComputeKernel kernel;
 
@@ -27,8 +29,9 @@ namespace SphFluid
             {
                 kernel.SetBuffer(cmd, buffers.NewPositions.Id, old.NewPositions);
                 kernel.SetBuffer(cmd, buffers.NewVelocities.Id, old.NewVelocities);
-                kernel.SetBuffer(cmd, buffers.Rank.Id, old.Rank);
-                kernel.SetBuffer(cmd, state.List.Counts.Id, old.NeighbourCounts);
+                kernel.SetBuffer(cmd, buffers.CellTable.Id, old.CellTable);
+                kernel.SetBuffer(cmd, state.List.Neighbours.Id, old.Neighbours);
+                kernel.SetInt(cmd, OldCountsBegin, old.NeighbourCounts);
                 kernel.SetOut(cmd, buffers.NewPositions);
                 kernel.SetOut(cmd, buffers.NewVelocities);
                 kernel.SetOut(cmd, buffers.Rank);
@@ -39,7 +42,7 @@ namespace SphFluid
                     kernel.SetBuffer(cmd, CellBindings.CarriedOut, state.Carried);
                 }
                 kernel.SetInt(cmd, ParticleCount, count);
-                kernel.DispatchThreads(cmd, count);
+                kernel.DispatchThreads(cmd, Math.Max(count, buffers.Rank.Begin)); // the table of the cells goes along
             }
         }
     }
@@ -47,14 +50,16 @@ namespace SphFluid
     /// <summary>What a step that sorts leaves of the particles.</summary>
     internal readonly struct CellRemains
     {
-        public readonly GraphicsBuffer NewPositions, NewVelocities, Rank, NeighbourCounts, Carried;
+        public readonly GraphicsBuffer NewPositions, NewVelocities, CellTable, Neighbours, Carried;
+        public readonly int NeighbourCounts; // where they begin
 
         public CellRemains(CellState state)
         {
             NewPositions = state.Buffers.NewPositions;
             NewVelocities = state.Buffers.NewVelocities;
-            Rank = state.Buffers.Rank;
-            NeighbourCounts = state.List.Counts;
+            CellTable = state.Buffers.CellTable;
+            Neighbours = state.List.Neighbours;
+            NeighbourCounts = state.List.Counts.Begin;
             Carried = state.Carried != null ? (GraphicsBuffer)state.Carried : null;
         }
     }

@@ -21,16 +21,16 @@ namespace SphFluid
         {
             using (Sample(cmd))
             {
-                clear.SetInt(cmd, CellTotal, state.Buffers.CellCount.Count);
-                clear.Set(cmd, state.Buffers.CellCount);
-                clear.DispatchThreads(cmd, state.Buffers.CellCount.Count);
+                int counts = state.Buffers.CellTotal + state.Buffers.SumCount;
+                clear.SetInt(cmd, CellTotal, counts);
+                clear.SetOut(cmd, state.Buffers.CellCount);
+                clear.DispatchThreads(cmd, counts);
                 CellBindings.SetCells(cmd, load, state.Cells);
                 load.SetInt(cmd, ParticleCount, state.LoadedCount);
                 load.Set(cmd, state.Published.Particles);
                 load.SetOut(cmd, state.Buffers.NewPositions);
                 load.SetOut(cmd, state.Buffers.NewVelocities);
-                load.Set(cmd, state.Buffers.CellCount);
-                load.SetOut(cmd, state.Buffers.Rank);
+                CellBindings.SetCounts(cmd, load, state);
                 load.DispatchThreads(cmd, state.LoadedCount);
             }
         }

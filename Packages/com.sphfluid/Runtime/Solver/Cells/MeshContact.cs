@@ -22,13 +22,12 @@ namespace SphFluid
         }
 
         /// <summary>What both passes over a step's contacts need.</summary>
-        public static void SetStep(CommandBuffer cmd, ComputeKernel kernel, CellState state, in FluidStep step, FluidBuffer from)
+        public static void SetStep(CommandBuffer cmd, ComputeKernel kernel, CellState state, in FluidStep step)
         {
             CellBindings.SetSearch(cmd, kernel, state);
             DomainBindings.SetFaces(cmd, kernel, state.Settings, ContactDistances.Rest(state.Settings));
             Set(cmd, kernel, state.Settings);
             state.Bodies.Bind(cmd, kernel, state.BodyStep.x, state.BodyStep.y);
-            kernel.SetBuffer(cmd, state.Buffers.PositionTerms.Id, from);
             CellBindings.SetCounting(cmd, kernel, state, step);
             kernel.Set(cmd, state.Published.Counters);
         }

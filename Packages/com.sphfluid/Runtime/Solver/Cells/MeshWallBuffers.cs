@@ -1,42 +1,35 @@
-using UnityEngine;
-
 namespace SphFluid
 {
-    /// <summary>What is needed only where there are triangles: walls near particles, and the list of contacts.</summary>
+    /// <summary>What is needed only where there are triangles: walls near particles, and contacts.</summary>
     internal sealed class MeshWallBuffers : BufferSet
     {
         /// <summary>Bytes of PackedWall in Shaders/Solver/Cells/MeshWalls.hlsl.</summary>
         public const int WallStride = 108;
 
-        /// <summary>Of each particle 1 + the place of its walls in <see cref="NearWalls"/>, or 0.</summary>
-        public readonly FluidBuffer WallSlot;
+        // Words of a particle in Shaders/Solver/Cells/Contacts.hlsl, and those before the first.
+        private const int ContactWords = 4, ArgumentWords = 4, GapWords = 4;
 
         /// <summary>PackedWall each.</summary>
         public readonly FluidBuffer NearWalls;
 
-        /// <summary>Numbers of the bodies that the liquid moves, of each particle's planes.</summary>
-        public readonly FluidBuffer WallBodies;
+        /// <summary>
+        /// Groups that resolve the steps that are not free, x, y, z, and the number of those steps; then of each the particle and where it
+        /// began.
+        /// </summary>
+        public readonly FluidBuffer Contacts;
 
         /// <summary>
         /// Where each particle gathered its walls, and how near to there surely no triangle at rest is [m], 0 where that is not known.
         /// </summary>
-        public readonly FluidBuffer WallGap;
-
-        /// <summary>Particles whose step is not free.</summary>
-        public readonly FluidBuffer ContactList;
-
-        /// <summary>Groups that resolve them, x, y, z, and their number.</summary>
-        public readonly FluidBuffer ContactArguments;
+        public readonly BufferRange WallGap;
 
         public MeshWallBuffers(int particleCount, bool isPlanned = false) : base(isPlanned)
         {
-            WallSlot = Add("WallSlot", particleCount, 4);
-            NearWalls = Add("NearWalls", particleCount, WallStride);
-            WallBodies = Add("WallBodies", particleCount, 4);
-            WallGap = Add("WallGap", particleCount, 16);
-            ContactList = Add("ContactList", particleCount, 4);
+            long count = particleCount;
+            NearWalls = Add("NearWalls", count, WallStride);
             // With Direct3D 11 Unity gives a buffer of indirect arguments typed and raw views, never structured ones.
-            ContactArguments = Add("ContactArguments", 4, 4, GraphicsBuffer.Target.IndirectArguments | GraphicsBuffer.Target.Raw);
+            Contacts = Add("Contacts", ArgumentWords + count * (ContactWords + GapWords), sizeof(uint), Arguments);
+            WallGap = Contacts.Range("WallGap", ArgumentWords + count * ContactWords);
         }
     }
 }

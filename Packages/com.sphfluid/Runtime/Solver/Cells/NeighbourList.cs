@@ -29,8 +29,17 @@ namespace SphFluid
         /// <summary>Indices, 32 particles side by side; ListPlace in the shader.</summary>
         public readonly FluidBuffer Neighbours;
 
-        /// <summary>Neighbours of each particle, listed or not.</summary>
-        public readonly FluidBuffer Counts;
+        /// <summary>Behind them, neighbours of each particle, listed or not.</summary>
+        public readonly BufferRange Counts;
+
+        /// <summary>And other numbers of each: ρ [kg/m³], as bits.</summary>
+        public readonly BufferRange Densities;
+
+        /// <summary>1 + the place of its walls of triangles, or 0.</summary>
+        public readonly BufferRange WallSlot;
+
+        /// <summary>Of each plane of those walls the number of a body that the liquid moves.</summary>
+        public readonly BufferRange WallBodies;
 
         /// <summary>A list for a number of particles.</summary>
         /// <param name="particleCount">Number of particles.</param>
@@ -39,8 +48,12 @@ namespace SphFluid
         public NeighbourList(int particleCount, int length, bool isPlanned = false) : base(isPlanned)
         {
             Length = length;
-            Neighbours = Add("Neighbours", EntryCount(particleCount, length), sizeof(uint));
-            Counts = Add("NeighbourCounts", particleCount, sizeof(uint));
+            long entries = EntryCount(particleCount, length);
+            Neighbours = Add("Neighbours", ElementCount(particleCount, length), sizeof(uint));
+            Counts = Neighbours.Range("NeighbourCounts", entries);
+            Densities = Neighbours.Range("Densities", entries + particleCount);
+            WallSlot = Neighbours.Range("WallSlot", entries + 2L * particleCount);
+            WallBodies = Neighbours.Range("WallBodies", entries + 3L * particleCount);
         }
 
         /// <summary>Most neighbours of a particle that are listed.</summary>
@@ -54,21 +67,20 @@ namespace SphFluid
 
         /// <summary>Whether one buffer of the device holds the list; a step does without where it does not.</summary>
         public static bool Fits(int particleCount, int length) =>
-            EntryCount(particleCount, length) * sizeof(uint) <= SystemInfo.maxGraphicsBufferSize;
+            ElementCount(particleCount, length) * sizeof(uint) <= SystemInfo.maxGraphicsBufferSize;
 
         /// <summary>Records the list for the kernel that fills it.</summary>
         public void SetOut(CommandBuffer cmd, ComputeKernel kernel)
         {
             kernel.SetInt(cmd, ListLength, Length);
-            kernel.SetOut(cmd, Neighbours);
             kernel.SetOut(cmd, Counts);
+            kernel.SetOut(cmd, Densities);
         }
 
         /// <summary>Records the list for a kernel that reads it.</summary>
         public void Set(CommandBuffer cmd, ComputeKernel kernel)
         {
             kernel.SetInt(cmd, ListLength, Length);
-            kernel.Set(cmd, Neighbours);
             kernel.Set(cmd, Counts);
         }
 
@@ -85,8 +97,13 @@ namespace SphFluid
             kernel.Set(cmd, Counts);
         }
 
+        // Of a particle, behind the entries.
+        private const int Numbers = 4;
+
         private static double Expected(in FluidSolverSettings settings) =>
             4.0 / 3.0 * Math.PI * Math.Pow(settings.SupportRadius / (double)settings.Spacing, 3.0);
+
+        private static long ElementCount(int particleCount, int length) => EntryCount(particleCount, length) + Numbers * (long)particleCount;
 
         private static long EntryCount(int particleCount, int length) => ((long)particleCount + Lanes - 1) / Lanes * Lanes * length;
     }

@@ -20,17 +20,17 @@ namespace SphFluid
         {
             using (Sample(cmd))
             {
-                CellBindings.SetCells(cmd, particles, state.Cells, state.Buffers.CellStart);
+                CellBindings.SetCells(cmd, particles, state);
                 particles.SetInt(cmd, ParticleCount, state.ParticleCount);
                 particles.Set(cmd, state.Buffers.Positions);
                 particles.Set(cmd, state.Buffers.Velocities);
-                particles.Set(cmd, state.Buffers.Densities);
+                particles.Set(cmd, state.List.Densities);
                 particles.Set(cmd, state.Buffers.PositionTerms);
                 particles.SetOut(cmd, state.Published.Particles);
                 particles.Set(cmd, state.Published.Density);
                 particles.Set(cmd, state.Published.Pressure);
                 particles.DispatchThreads(cmd, state.ParticleCount);
-                CellBindings.SetCells(cmd, ranges, state.Cells, state.Buffers.CellStart);
+                CellBindings.SetCells(cmd, ranges, state);
                 GridNeighbours.SetGrid(cmd, ranges, state.Grid);
                 ranges.SetOut(cmd, state.Published.GridIndices);
                 ranges.DispatchThreads(cmd, state.Grid.CellCount);

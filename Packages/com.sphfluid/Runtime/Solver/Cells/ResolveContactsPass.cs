@@ -20,19 +20,17 @@ namespace SphFluid
         /// <param name="cmd">Command buffer.</param>
         /// <param name="state">Buffers.</param>
         /// <param name="step">The step.</param>
-        /// <param name="from">Where the step began, in the order of the particles.</param>
-        public void Record(CommandBuffer cmd, CellState state, in FluidStep step, FluidBuffer from)
+        public void Record(CommandBuffer cmd, CellState state, in FluidStep step)
         {
             using (Sample(cmd))
             {
-                MeshContact.SetStep(cmd, kernel, state, step, from);
+                MeshContact.SetStep(cmd, kernel, state, step);
                 CellBindings.SetImpulses(cmd, kernel, state);
                 WallForces.Set(cmd, kernel, state);
                 kernel.SetFloat(cmd, TimeStep, step.Length);
-                kernel.Set(cmd, state.Walls.ContactList);
-                kernel.Set(cmd, state.Walls.ContactArguments);
+                kernel.Set(cmd, state.Walls.Contacts);
                 kernel.SetOut(cmd, state.Buffers.NewVelocities);
-                kernel.DispatchIndirect(cmd, state.Walls.ContactArguments);
+                kernel.DispatchIndirect(cmd, state.Walls.Contacts);
             }
         }
     }

@@ -20,8 +20,7 @@ namespace SphFluid
             using (Sample(cmd))
             {
                 kernel.SetInt(cmd, CellTotal, state.Buffers.CellTotal);
-                kernel.Set(cmd, state.Buffers.CellCount);
-                kernel.SetOut(cmd, state.Buffers.CellStart);
+                kernel.SetOut(cmd, state.Buffers.CellCount);
                 kernel.DispatchThreads(cmd, CellRows.ScanGroups(state.Buffers.CellTotal) * kernel.GroupSize.x);
             }
         }

@@ -25,7 +25,6 @@ namespace SphFluid
                 if (state.HasStableOrder)
                 {
                     Bind(cmd, scatterOrder, state);
-                    scatterOrder.Set(cmd, state.Buffers.Rank);
                     scatterOrder.SetOut(cmd, state.Buffers.Order);
                     DispatchAndClear(cmd, scatterOrder, state);
                     Bind(cmd, reorder, state);
@@ -36,7 +35,6 @@ namespace SphFluid
                 else
                 {
                     Bind(cmd, scatter, state);
-                    scatter.Set(cmd, state.Buffers.Rank);
                     BindTarget(cmd, scatter, state);
                     DispatchAndClear(cmd, scatter, state);
                 }
@@ -45,7 +43,7 @@ namespace SphFluid
 
         private static void Bind(CommandBuffer cmd, ComputeKernel kernel, CellState state)
         {
-            CellBindings.SetCells(cmd, kernel, state.Cells, state.Buffers.CellStart);
+            CellBindings.SetCells(cmd, kernel, state);
             kernel.Set(cmd, state.Buffers.NewPositions);
             kernel.Set(cmd, state.Buffers.NewVelocities);
         }
@@ -54,7 +52,7 @@ namespace SphFluid
         private static void DispatchAndClear(CommandBuffer cmd, ComputeKernel kernel, CellState state)
         {
             kernel.SetInt(cmd, SumCount, state.Buffers.SumCount);
-            kernel.Set(cmd, state.Buffers.CellCount);
+            CellBindings.SetCounts(cmd, kernel, state);
             kernel.DispatchThreads(cmd, Math.Max(state.ParticleCount, state.Buffers.SumCount));
         }
 

@@ -64,7 +64,6 @@ namespace SphFluid
                 BindSearch(cmd, measure, state);
                 measure.SetBool(cmd, HasPressures, hasPressures);
                 measure.Set(cmd, state.Motion.Starts);
-                measure.SetOut(cmd, state.Buffers.Densities);
                 measure.Set(cmd, state.Published.Counters);
                 measure.DispatchThreads(cmd, state.ParticleCount);
             }
@@ -75,7 +74,6 @@ namespace SphFluid
             Bind(cmd, kernel, state);
             kernel.SetFloat(cmd, Ahead, 0f);
             kernel.Set(cmd, state.Buffers.Velocities);
-            kernel.SetBuffer(cmd, Places, state.Buffers.Positions);
         }
 
         private static void BindConstraint(CommandBuffer cmd, ComputeKernel kernel, RobustState state, double compliance)
@@ -96,7 +94,7 @@ namespace SphFluid
             kernel.SetFloat(cmd, InverseMoment, (float)(1.0 / WendlandKernel.LatticeMoment(settings.SupportRadius / settings.Spacing)));
             kernel.Set(cmd, state.Buffers.Positions);
             kernel.SetOut(cmd, state.Buffers.PositionTerms);
-            if (state.HasBodies) kernel.SetOut(cmd, state.Walls.ContactArguments);
+            if (state.HasBodies) kernel.SetOut(cmd, state.Walls.Contacts);
         }
     }
 }

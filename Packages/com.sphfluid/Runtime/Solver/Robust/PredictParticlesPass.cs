@@ -30,7 +30,6 @@ namespace SphFluid
                 CellBindings.SetShell(cmd, kernel, settings, step.Length);
                 DomainBindings.SetBodyForce(cmd, kernel, settings.BodyForce);
                 ForceZones.Set(cmd, kernel, state.Zones, settings.SupportRadius);
-                if (state.HasFloatingBodies) kernel.Set(cmd, state.Walls.WallBodies);
                 kernel.SetVector(cmd, Gravity, settings.Gravity);
                 kernel.SetFloat(cmd, CellBindings.KickStep, step.IsFirst ? 0.5f * step.Length : step.Kick);
                 kernel.SetBool(cmd, IsLeft, isLeft);
@@ -38,7 +37,7 @@ namespace SphFluid
                 kernel.Set(cmd, state.Buffers.Velocities);
                 kernel.SetOut(cmd, state.Buffers.NewVelocities);
                 kernel.SetBuffer(cmd, CellBindings.CarriedOut, state.Carried);
-                if (state.HasBodies) kernel.SetOut(cmd, state.Walls.ContactArguments);
+                if (state.HasBodies) kernel.SetOut(cmd, state.Walls.Contacts);
                 CellBindings.SetCounting(cmd, kernel, state, step);
                 kernel.Set(cmd, state.Published.Counters);
                 kernel.DispatchThreads(cmd, state.ParticleCount);

@@ -26,7 +26,6 @@ namespace SphFluid
             state.List.Set(cmd, kernel);
             kernel.Set(cmd, state.Buffers.Positions);
             kernel.Set(cmd, state.Buffers.PositionTerms);
-            if (state.HasFloatingBodies) kernel.Set(cmd, state.Walls.WallBodies);
         }
     }
 }

@@ -7,7 +7,7 @@ namespace SphFluid
     internal sealed class RobustMethod : FluidMethod
     {
         private static readonly ShaderGroup Group = new ShaderGroup("the Robust method", "Shaders/Solver/Robust",
-            groupThreads: 64, buffers: 15, writableBuffers: 6, groupMemory: 6144, vertexBuffers: 0,
+            groupThreads: 64, buffers: 13, writableBuffers: 6, groupMemory: 6144, vertexBuffers: 0,
             "PredictParticles", "ConstrainDensity", "MoveByConstraints", "FinishParticles").With(CellShaders.Group);
 
         private static readonly string[] Fields = { "substeps" };

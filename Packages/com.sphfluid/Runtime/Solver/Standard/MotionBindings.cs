@@ -33,7 +33,6 @@ namespace SphFluid
             kernel.SetFloat(cmd, ViscosityFactor, 2f * (settings.Viscosity / settings.RestDensity) / settings.RestDensity);
             kernel.SetFloat(cmd, LeastSeparation, 1e-3f * settings.SupportRadius);
             kernel.SetVector(cmd, Gravity, settings.Gravity);
-            kernel.Set(cmd, state.Buffers.Positions);
             kernel.Set(cmd, state.Buffers.Velocities);
         }
 
@@ -52,8 +51,7 @@ namespace SphFluid
         /// <summary>The end of a step: where its particles go, and their count.</summary>
         public static void SetEnd(CommandBuffer cmd, ComputeKernel kernel, StandardState state, in FluidStep step)
         {
-            if (state.HasFloatingBodies) kernel.Set(cmd, state.Walls.WallBodies);
-            kernel.Set(cmd, state.Buffers.Densities);
+            kernel.Set(cmd, state.List.Densities);
             kernel.SetOut(cmd, state.Buffers.NewVelocities);
             CellBindings.SetCounting(cmd, kernel, state, step);
             kernel.Set(cmd, state.Published.Counters);

@@ -32,7 +32,6 @@ namespace SphFluid
                 state.List.SetOut(cmd, search);
                 search.SetFloat(cmd, Ahead, state.ListTime);
                 search.Set(cmd, state.Buffers.Positions);
-                search.SetBuffer(cmd, Places, state.Buffers.Positions);
                 search.Set(cmd, state.Buffers.Velocities);
                 search.DispatchThreads(cmd, state.ParticleCount);
             }
@@ -47,7 +46,6 @@ namespace SphFluid
             {
                 Bind(cmd, listed, state);
                 state.List.SetOut(cmd, listed);
-                listed.Set(cmd, state.Buffers.Positions);
                 listed.SetBuffer(cmd, Places, state.Buffers.NewPositions);
                 listed.DispatchThreads(cmd, state.ParticleCount);
             }
@@ -64,9 +62,8 @@ namespace SphFluid
             kernel.SetFloat(cmd, SoundSpeedSquared, settings.SoundSpeed * settings.SoundSpeed);
             kernel.SetVector(cmd, Impact, state.Impact);
             kernel.SetFloat(cmd, SuctionFloor, settings.PressureClamp ? 0f : -settings.RestDensity);
-            kernel.SetOut(cmd, state.Buffers.Densities);
             kernel.SetOut(cmd, state.Buffers.PositionTerms);
-            if (state.HasBodies) kernel.SetOut(cmd, state.Walls.ContactArguments);
+            if (state.HasBodies) kernel.SetOut(cmd, state.Walls.Contacts);
             kernel.Set(cmd, state.Published.Counters);
         }
     }

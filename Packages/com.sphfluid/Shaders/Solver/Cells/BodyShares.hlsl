@@ -11,8 +11,6 @@
 
 #define NO_BODY_NUMBER 0xffffffffu
 
-StructuredBuffer<uint> _WallBodies; // numbers of the planes' bodies
-
 groupshared uint groupBody;
 groupshared int groupHigh[6]; // of each sum the upper 16 bits of every thread's units
 groupshared int groupLow[6];  // and the lower: 64 threads stay below 2^31
@@ -31,9 +29,10 @@ BodyShares NoShares()
     return (BodyShares)0;
 }
 
-// changes: what each plane adds to the particle's velocity; its body gets the opposite.
-BodyShares SharesOf(uint numbers, float3 changes[WALL_PLANES], float3 place)
+// changes: what each plane adds to a particle's velocity; its body gets the opposite.
+BodyShares SharesOf(uint id, float3 changes[WALL_PLANES], float3 place)
 {
+    const uint numbers = LISTS[_WallBodiesBegin + id];
     BodyShares shares;
     shares.Numbers = (numbers >> uint3(0u, BODY_NUMBER_BITS, 2u * BODY_NUMBER_BITS)) & BODY_NUMBER_MASK;
     shares.First = -_ParticleMass * changes[0];

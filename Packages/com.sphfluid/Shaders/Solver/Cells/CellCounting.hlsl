@@ -8,11 +8,10 @@
 // The last word of a step on a particle: where the next step sorts, it is counted into the cell of its new place or, beyond an open
 // face or in a drain, taken out of the liquid: the sort leaves it behind.
 RWStructuredBuffer<float4> _NewPositionsOut; // w: below zero of a particle that left, else what its method takes along
-RWStructuredBuffer<uint> _RankOut; // place in the cell; before, where something is drained, DRAINED of a particle that is to leave
 uint _KeepsOrder; // 1: the next step goes on in the order of the last sort, so nothing is counted and nobody leaves
 uint _Drains;     // 1: DrainParticles has gone before
 
-#define DRAINED 0xffffffffu
+#define DRAINED 0xffffffffu // in place of the rank of a particle that is to leave, where something is drained
 
 // place: the new one; w: what the method takes along.
 void CountInCell(uint id, float4 place)
@@ -25,9 +24,9 @@ void CountInCell(uint id, float4 place)
         [branch]
         if (_Drains != 0u)
         {
-            leaves = leaves || _RankOut[id] == DRAINED;
+            leaves = leaves || _CellTableOut[_RankBegin + id] == DRAINED;
         }
-        _RankOut[id] = CountCell(leaves ? RemovedCell() : CellNumber(CellAt(place.xyz)), id);
+        _CellTableOut[_RankBegin + id] = CountCell(leaves ? RemovedCell() : CellNumber(CellAt(place.xyz)), id);
         if (leaves)
         {
             CountEvent(COUNTER_REMOVED);

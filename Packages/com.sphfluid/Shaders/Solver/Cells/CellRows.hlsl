@@ -16,7 +16,21 @@ float3 _CellOrigin;    // lower corner of the first border cell
 float3 _CellsPerMetre; // 1 over the side of a cell along each axis
 int3 _CellCounts;      // with the border
 
-StructuredBuffer<uint> _CellStart; // first particle of each cell, the number of live ones, and that with those that left in the last step
+// The first particle of each cell, the number of live ones, and that with those that left in the last step; behind them what the next
+// sort needs (CellSums.hlsl). A kernel that counts for it defines COUNTS_CELLS and reads the table where it writes.
+StructuredBuffer<uint> _CellTable;
+RWStructuredBuffer<uint> _CellTableOut;
+
+#if defined(COUNTS_CELLS)
+#define CELL_TABLE _CellTableOut
+#else
+#define CELL_TABLE _CellTable
+#endif
+
+uint CellStart(uint cell)
+{
+    return CELL_TABLE[cell];
+}
 
 // Particle of a thread: positions and velocities lie in float4 apart, one aligned load each; a velocity's w is the id.
 uint ParticleIndex(uint3 groupId, uint groupIndex)
@@ -44,7 +58,29 @@ uint RemovedCell()
 // Live particles: the first of the sorted ones. What stands behind them is undefined.
 uint LiveCount()
 {
-    return _CellStart[RemovedCell()];
+    return CellStart(RemovedCell());
+}
+
+// The number of the cell that a live particle was sorted into, where that is asked: the last that begins with it or before. Empty cells begin where
+// the next does. Worked example, cells that begin at 0, 0, 2 and 5: particle 1 is in the second.
+uint SortedCell(uint id, bool isAsked)
+{
+    uint cell = 0u;
+    uint end = isAsked ? RemovedCell() : 0u;
+    while (end > cell + 1u)
+    {
+        const uint middle = (cell + end) / 2u;
+        const bool begins = CellStart(middle) <= id;
+        cell = begins ? middle : cell;
+        end = begins ? end : middle;
+    }
+    return cell;
+}
+
+int3 CellOf(uint number)
+{
+    const uint3 counts = uint3(_CellCounts);
+    return int3(uint3(number % counts.x, number / counts.x % counts.y, number / (counts.x * counts.y)));
 }
 
 #if defined(FLUID_PERIODIC)
@@ -70,7 +106,7 @@ uint2 CellRun(int3 cell, uint k)
     const int first = k < 9u ? cell.x - (low ? 0 : 1) : low ? inner : 1;
     const int last = k < 9u ? cell.x + (high ? 0 : 1) : low || high ? first : 0; // else none
     const uint start = CellNumber(int3(0, y, z));
-    return last < first ? uint2(0u, 0u) : uint2(_CellStart[start + uint(first)], _CellStart[start + uint(last + 1)]);
+    return last < first ? uint2(0u, 0u) : uint2(CellStart(start + uint(first)), CellStart(start + uint(last + 1)));
 }
 
 #else
@@ -80,7 +116,7 @@ uint2 CellRun(int3 cell, uint k)
 uint2 CellRun(int3 cell, uint k)
 {
     const uint first = CellNumber(cell + int3(-1, int(k % 3u) - 1, int(k / 3u) - 1));
-    return uint2(_CellStart[first], _CellStart[first + 3u]);
+    return uint2(CellStart(first), CellStart(first + 3u));
 }
 
 #endif

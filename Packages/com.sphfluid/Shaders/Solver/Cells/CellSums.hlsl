@@ -9,17 +9,19 @@
 #define SCAN_SUM_PARTS 16
 #define SCAN_CELLS_PER_GROUP (SCAN_THREADS * SCAN_CELLS_PER_THREAD)
 
-// Counts of the cells and of those that left the domain, then the sums of the scan's groups of cells, as SCAN_SUM_PARTS parts each:
-// lanes that count into cells of one group do not wait for one address. Integers, so the order of the counts does not matter.
-RWStructuredBuffer<uint> _CellCount;
+// In the table of the cells: counts of the cells and of those that left the domain, then the sums of the scan's groups of cells, as
+// SCAN_SUM_PARTS parts each: lanes that count into cells of one group do not wait for one address. Integers, so the order of the counts
+// does not matter.
+uint _CellCountBegin;
+uint _RankBegin; // behind them the place of each particle in its cell
 
 // Counts a particle in a cell; how many were counted there before it.
 uint CountCell(uint cell, uint id)
 {
     uint ignored;
-    InterlockedAdd(_CellCount[RemovedCell() + 1u + cell / SCAN_CELLS_PER_GROUP * SCAN_SUM_PARTS + id % SCAN_SUM_PARTS], 1u, ignored);
+    InterlockedAdd(_CellTableOut[_CellCountBegin + RemovedCell() + 1u + cell / SCAN_CELLS_PER_GROUP * SCAN_SUM_PARTS + id % SCAN_SUM_PARTS], 1u, ignored);
     uint rank;
-    InterlockedAdd(_CellCount[cell], 1u, rank);
+    InterlockedAdd(_CellTableOut[_CellCountBegin + cell], 1u, rank);
     return rank;
 }
 

@@ -12,14 +12,11 @@
 #include "NeighbourList.hlsl"
 #include "MeshWalls.hlsl"
 
-StructuredBuffer<float4> _Positions;     // as sorted
 StructuredBuffer<float4> _PositionTerms; // present place, and what is beside it
-StructuredBuffer<uint> _Neighbours;
-StructuredBuffer<uint> _NeighbourCounts; // of all, listed or not
 
 PairSums ListedPairs(uint id, float3 position, PairSums sums)
 {
-    const uint count = _NeighbourCounts[id];
+    const uint count = _Neighbours[_NeighbourCountsBegin + id];
     const bool listed = count <= _ListLength;
     const uint begin = ListPlace(id, 0u);
     const uint end = begin + (listed ? count : 0u) * LIST_LANES;
@@ -31,14 +28,14 @@ PairSums ListedPairs(uint id, float3 position, PairSums sums)
         const float3 d = Separation(position, place.xyz);
         AddPair(sums, j, place.w, d, SeenSquared(entry, dot(d, d)));
     }
-    const uint slot = WallSlot(id);
-    FOR_EACH_NEAR_IF(!listed, CellAt(_Positions[id].xyz), other) // the particles of the cells at the sort
+    const uint cell = SortedCell(id, !listed);
+    FOR_EACH_NEAR_IF(!listed, CellOf(cell), other)
     {
         const float4 next = _PositionTerms[other];
         const float3 apart = Separation(position, next.xyz);
         const bool isNear = dot(apart, apart) * _InverseSupport * _InverseSupport < 1.0 && other != id;
         [branch]
-        if (isNear && !IsParted(isNear ? slot : 0u, position, other, next.xyz, apart))
+        if (isNear && !IsParted(isNear ? WallSlot(id) : 0u, position, other, next.xyz, apart))
         {
             AddPair(sums, other, next.w, apart, dot(apart, apart));
         }

@@ -4,6 +4,7 @@
 // What GatherWalls found for particles within R of a triangle. A kernel that includes this file declares
 // "#pragma multi_compile_local _ FLUID_MESH_WALLS"; without, the domain's faces are all there is.
 #include "FaceWalls.hlsl"
+#include "NeighbourList.hlsl"
 
 #define WALL_PLANES 3
 #define NO_PLANE_DISTANCE 1e30 // m
@@ -59,9 +60,8 @@ float2 UnpackHalves(uint packed)
 
 #if defined(FLUID_MESH_WALLS)
 
-StructuredBuffer<uint> _WallSlot;      // 0: none; else 1 + place in _NearWalls
 StructuredBuffer<PackedWall> _NearWalls;
-RWByteAddressBuffer _ContactArgumentsOut; // of FindContacts: groups x, y, z of ResolveContacts, and the number of particles
+RWByteAddressBuffer _ContactsOut; // of FindContacts: groups x, y, z of ResolveContacts, and the number of particles
 
 static const float OPPOSITE_FACES = -0.5; // the product of their normals: a wedge of up to 60 degrees parts what is beside it
 
@@ -121,7 +121,7 @@ bool IsCut(NearWall wall, uint other, float3 otherPosition, float3 d)
     [branch]
     if (PassesFace(wall, d, float3(0.0, 0.0, 0.0), 1.0))
     {
-        const uint otherSlot = _WallSlot[other];
+        const uint otherSlot = LISTS[_WallSlotBegin + other];
         const uint otherWall = max(otherSlot, 1u) - 1u;
         const uint faces = otherSlot != 0u ? _NearWalls[otherWall].VelocityZ & 7u : 0u;
         for (uint k = 0u; faces >> k != 0u && !cut; k++) // few see more than one
@@ -141,7 +141,7 @@ bool IsCut(NearWall wall, uint other, float3 otherPosition, float3 d)
 uint WallSlot(uint id)
 {
 #if defined(FLUID_MESH_WALLS)
-    return _WallSlot[id];
+    return LISTS[_WallSlotBegin + id];
 #else
     return 0u;
 #endif
@@ -181,7 +181,7 @@ void EmptyContacts(uint id)
 #if defined(FLUID_MESH_WALLS)
     if (id == 0u)
     {
-        _ContactArgumentsOut.Store4(0u, uint4(0u, 1u, 1u, 0u));
+        _ContactsOut.Store4(0u, uint4(0u, 1u, 1u, 0u));
     }
 #endif
 }

@@ -9,6 +9,22 @@
 // Entries of particles that are behind a face, as things stand, have a bit more: every density pass notes it anew.
 #define LIST_BEHIND 0x80000000u
 
+StructuredBuffer<uint> _Neighbours;
+RWStructuredBuffer<uint> _NeighboursOut;
+
+// A kernel that lists reads where it writes.
+#if defined(WRITES_LISTS)
+#define LISTS _NeighboursOut
+#else
+#define LISTS _Neighbours
+#endif
+
+// Behind the entries of all particles stand numbers of each.
+uint _NeighbourCountsBegin; // how many neighbours it has, listed or not
+uint _DensitiesBegin;       // kg/m^3, as bits
+uint _WallSlotBegin;        // 0: no walls; else 1 + their place in _NearWalls
+uint _WallBodiesBegin;      // of each plane of its walls the number of a body that the liquid moves, in BODY_NUMBER_BITS; 0: no such body
+
 uint _ListLength; // most neighbours of a particle that are listed; who has more searches again: all, where it is 0
 
 uint ListPlace(uint id, uint n)

@@ -6,13 +6,18 @@
 //   struct NeighbourSums
 //   static const NeighbourSums OWN_SUMS                                            what a particle adds itself
 //   void AddNeighbour(inout NeighbourSums sums, float3 d, float distanceSquared)   what another adds, nothing beyond R
+#define WRITES_LISTS
 #include "NeighbourSearch.hlsl"
 #include "NeighbourList.hlsl"
 #include "MeshWalls.hlsl"
 
-StructuredBuffer<float4> _Places; // of the particles: as sorted, or where the last step or pass left them
-RWStructuredBuffer<uint> _NeighboursOut;
-RWStructuredBuffer<uint> _NeighbourCountsOut;
+// Where the particles are: as sorted in a kernel that searches, which defines SEARCHES; else where the last step or pass left them.
+#if defined(SEARCHES)
+#define PLACES _Positions
+#else
+#define PLACES _Places
+StructuredBuffer<float4> _Places;
+#endif
 
 #if defined(FLUID_MESH_WALLS)
 
@@ -23,7 +28,7 @@ void NoteBehind(NearWall wall, float3 position, uint begin, uint end)
     {
         const uint entry = _NeighboursOut[at];
         const uint j = ListedParticle(entry);
-        const float3 other = _Places[j].xyz;
+        const float3 other = PLACES[j].xyz;
         const uint noted = IsCut(wall, j, other, Separation(position, other)) ? j | LIST_BEHIND : j;
         if (noted != entry)
         {
@@ -52,12 +57,13 @@ NeighbourSums ListedSums(uint id, uint count, float3 position)
     for (uint at = begin; at < end; at += LIST_LANES)
     {
         const uint entry = _NeighboursOut[at];
-        const float3 d = Separation(position, _Places[ListedParticle(entry)].xyz);
+        const float3 d = Separation(position, PLACES[ListedParticle(entry)].xyz);
         AddNeighbour(sums, d, SeenSquared(entry, dot(d, d)));
     }
-    FOR_EACH_NEAR_IF(!listed, CellAt(_Positions[id].xyz), j) // the particles of the cells at the sort
+    const uint cell = SortedCell(id, !listed);
+    FOR_EACH_NEAR_IF(!listed, CellOf(cell), j)
     {
-        const float3 other = _Places[j].xyz;
+        const float3 other = PLACES[j].xyz;
         const float3 apart = Separation(position, other);
         const bool isNear = dot(apart, apart) < _SupportSquared;
         [branch]
@@ -106,7 +112,7 @@ NeighbourSums SearchedSums(uint id, uint lane, float4 place)
     {
         _NeighboursOut[at] = id;
     }
-    _NeighbourCountsOut[id] = count;
+    _NeighboursOut[_NeighbourCountsBegin + id] = count;
 #if defined(FLUID_MESH_WALLS)
     [branch]
     if (WallSlot(id) != 0u)

@@ -8,7 +8,6 @@
 #include "MeshWalls.hlsl"
 
 // of each triangle: three bits for edges inside of a plane, the others here, and above them the number of its surface
-StructuredBuffer<uint> _TriangleEdges;
 
 #define EDGES_TURNED 8u // its corners run the other way than those of its surface
 #define EDGES_DEEP_BEHIND 16u // the solid is deep on the side from which its normal looks, and on that to which it looks
@@ -66,8 +65,8 @@ float SideOf(BodyPose pose, bool moves, uint begin, uint end, float3 position)
     [loop]
     for (uint n = begin; n < end && !(sees && seesBack); n++)
     {
-        const float height = Seen(pose, moves, _CellTriangles[n], position).Height;
-        const bool isFront = (height > 0.0) == ((_TriangleEdges[_CellTriangles[n]] & EDGES_TURNED) == 0u);
+        const float height = Seen(pose, moves, _BodyLists[n], position).Height;
+        const bool isFront = (height > 0.0) == ((_BodyLists[_BodyLists[n]] & EDGES_TURNED) == 0u);
         sees = sees || height != 0.0 && isFront;
         seesBack = seesBack || height != 0.0 && !isFront;
     }
@@ -77,7 +76,7 @@ float SideOf(BodyPose pose, bool moves, uint begin, uint end, float3 position)
     [loop]
     for (uint t = begin; t < (sees && seesBack ? end : begin); t++)
     {
-        const uint index = _CellTriangles[t];
+        const uint index = _BodyLists[t];
         const SeenTriangle seen = Seen(pose, moves, index, position);
         [branch]
         if (seen.Height != 0.0)
@@ -94,7 +93,7 @@ float SideOf(BodyPose pose, bool moves, uint begin, uint end, float3 position)
             {
                 nearest = min(nearest, squared);
                 highest = abs(seen.Height);
-                side = (seen.Height > 0.0) == ((_TriangleEdges[index] & EDGES_TURNED) == 0u) ? 1.0 : -1.0;
+                side = (seen.Height > 0.0) == ((_BodyLists[index] & EDGES_TURNED) == 0u) ? 1.0 : -1.0;
             }
         }
     }
@@ -212,10 +211,10 @@ Shadow TriangleShadow(float3 position, float3 planes[WALL_PLANES], uint owners[W
         [loop]
         while (begin < range.y)
         {
-            const uint surface = _TriangleEdges[_CellTriangles[begin]] >> EDGES_SURFACE;
+            const uint surface = _BodyLists[_BodyLists[begin]] >> EDGES_SURFACE;
             uint end = begin + 1u;
             [loop]
-            while (end < range.y && _TriangleEdges[_CellTriangles[min(end, range.y - 1u)]] >> EDGES_SURFACE == surface)
+            while (end < range.y && _BodyLists[_BodyLists[min(end, range.y - 1u)]] >> EDGES_SURFACE == surface)
             {
                 end++;
             }
@@ -223,8 +222,8 @@ Shadow TriangleShadow(float3 position, float3 planes[WALL_PLANES], uint owners[W
             [loop]
             for (uint t = begin; t < (side != 0.0 ? end : begin); t++)
             {
-                const uint index = _CellTriangles[t];
-                const uint edges = _TriangleEdges[index];
+                const uint index = _BodyLists[t];
+                const uint edges = _BodyLists[index];
                 const SeenTriangle seen = Seen(pose, moves, index, position);
                 const float own = (edges & EDGES_TURNED) == 0u ? side : -side; // of its corners as they run
                 const float facing = seen.Height > 0.0 ? 1.0 : -1.0;

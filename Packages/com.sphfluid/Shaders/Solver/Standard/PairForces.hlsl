@@ -10,11 +10,8 @@
 #include "../Cells/ClosePairs.hlsl"
 #include "../Cells/MeshWalls.hlsl"
 
-StructuredBuffer<float4> _Positions;     // as sorted
 StructuredBuffer<float4> _PositionTerms; // present place, P
 StructuredBuffer<float4> _Velocities;
-StructuredBuffer<uint> _Neighbours;
-StructuredBuffer<uint> _NeighbourCounts; // of all, listed or not
 float _SlopeFactor;     // m 210 / (pi R^5) / M
 float _ViscosityFactor; // 2 nu / rho0
 float _LeastSeparation; // m, for particles that share a place
@@ -90,17 +87,17 @@ PairSums ListedNeighbours(uint id, uint count, float3 position, float3 velocity,
 
 PairSums NeighbourSums(uint id, float3 position, float3 velocity, float pressure)
 {
-    const uint count = _NeighbourCounts[id];
+    const uint count = _Neighbours[_NeighbourCountsBegin + id];
     const bool listed = count <= _ListLength;
     PairSums sums = ListedNeighbours(id, listed ? count : 0u, position, velocity, pressure);
-    const uint slot = WallSlot(id);
-    FOR_EACH_NEAR_IF(!listed, CellAt(_Positions[id].xyz), other) // the particles of the cells at the sort
+    const uint cell = SortedCell(id, !listed);
+    FOR_EACH_NEAR_IF(!listed, CellOf(cell), other)
     {
         const float3 place = _PositionTerms[other].xyz;
         const float3 d = Separation(position, place);
         const bool isNear = dot(d, d) < 1.0 / (_InverseSupport * _InverseSupport) && other != id;
         [branch]
-        if (isNear && !IsParted(isNear ? slot : 0u, position, other, place, d))
+        if (isNear && !IsParted(isNear ? WallSlot(id) : 0u, position, other, place, d))
         {
             const float3 parted = position + float3(Apart(id, other, dot(d, d)), 0.0, 0.0);
             AddNeighbour(sums, other, parted, velocity, pressure);

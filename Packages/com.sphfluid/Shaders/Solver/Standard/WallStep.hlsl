@@ -3,11 +3,11 @@
 
 // The end of a step: what walls do to a velocity and what they get for it, leapfrog, and the count of the cell that the particle ends in.
 #include "../Cells/CellCounting.hlsl"
+#include "../Cells/NeighbourList.hlsl"
 #include "../Cells/WallMotion.hlsl"
 #include "../Cells/BodyShares.hlsl"
 #include "../WallForces/WallPatches.hlsl"
 
-StructuredBuffer<float> _Densities; // taken along to the next density
 RWStructuredBuffer<float4> _NewVelocitiesOut;
 float _WallPush; // rho0 / M
 
@@ -100,11 +100,17 @@ void StepAtPlanes(uint id, NearWall wall, float3 position, float push, float3 fr
     step.FacePush = 0.0; // planes stand for the faces
 #endif
 #if defined(FLUID_FLOATING_BODIES)
-    step.Given = SharesOf(_WallBodies[id], changes, position);
+    step.Given = SharesOf(id, changes, position);
 #endif
 }
 
 #endif
+
+// Taken along to the next density.
+float StepDensity(uint id)
+{
+    return asfloat(_Neighbours[_DensitiesBegin + id]);
+}
 
 // number: the bits of the particle's id, as the w of its velocity.
 void EndStep(uint id, float number, float3 position, WallStep step)
@@ -116,9 +122,9 @@ void EndStep(uint id, float number, float3 position, WallStep step)
 #endif
     _NewVelocitiesOut[id] = float4(motion.Velocity, number);
 #if defined(FLUID_MESH_WALLS)
-    _NewPositionsOut[id] = float4(motion.Position, _Densities[id]); // contact may still change it, and counts it
+    _NewPositionsOut[id] = float4(motion.Position, StepDensity(id)); // contact may still change it, and counts it
 #else
-    CountInCell(id, float4(motion.Position, _Densities[id]));
+    CountInCell(id, float4(motion.Position, StepDensity(id)));
 #endif
     CountMaximum(COUNTER_MAX_SPEED, length(motion.Velocity));
 }

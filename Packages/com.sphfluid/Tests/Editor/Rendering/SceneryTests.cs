@@ -16,6 +16,7 @@ namespace SphFluid.Tests
 
         private readonly List<Object> made = new List<Object>();
         private readonly Color colour = new Color(0.8f, 0.5f, 0.3f);
+        private PipelineSwitch pipeline;
         private AmbientMode ambientMode;
         private Color ambientLight;
         private Light sun;
@@ -28,10 +29,8 @@ namespace SphFluid.Tests
         public void SetUp()
         {
             GpuTest.Require();
-            if (GraphicsSettings.currentRenderPipeline != null || QualitySettings.activeColorSpace != ColorSpace.Linear)
-            {
-                Assert.Ignore("The formulas are those of the Built-in pipeline in linear colours.");
-            }
+            if (QualitySettings.activeColorSpace != ColorSpace.Linear) Assert.Ignore("The formulas are those of linear colours.");
+            pipeline = PipelineSwitch.ToBuiltIn();
             (ambientMode, ambientLight, sun) = (RenderSettings.ambientMode, RenderSettings.ambientLight, RenderSettings.sun);
             RenderSettings.ambientMode = AmbientMode.Flat;
             RenderSettings.ambientLight = Color.black;
@@ -59,6 +58,7 @@ namespace SphFluid.Tests
             camera.targetTexture = null;
             for (int i = made.Count - 1; i >= 0; i--) Object.DestroyImmediate(made[i]);
             made.Clear();
+            pipeline.Dispose();
             (RenderSettings.ambientMode, RenderSettings.ambientLight, RenderSettings.sun) = (ambientMode, ambientLight, sun);
         }
 

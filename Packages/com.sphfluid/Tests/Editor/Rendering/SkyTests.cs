@@ -2,7 +2,6 @@ using System.Collections.Generic;
 using NUnit.Framework;
 using UnityEditor;
 using UnityEngine;
-using UnityEngine.Rendering;
 
 namespace SphFluid.Tests
 {
@@ -14,6 +13,7 @@ namespace SphFluid.Tests
 
         private readonly List<Object> made = new List<Object>();
         private readonly Vector3 toSun = new Vector3(0.48f, 0.6f, 0.64f);
+        private PipelineSwitch pipeline;
         private Material skybox, material;
         private Light sun;
         private Camera camera;
@@ -22,10 +22,8 @@ namespace SphFluid.Tests
         public void SetUp()
         {
             GpuTest.Require();
-            if (GraphicsSettings.currentRenderPipeline != null || QualitySettings.activeColorSpace != ColorSpace.Linear)
-            {
-                Assert.Ignore("The formulas are those of the Built-in pipeline in linear colours.");
-            }
+            if (QualitySettings.activeColorSpace != ColorSpace.Linear) Assert.Ignore("The formulas are those of linear colours.");
+            pipeline = PipelineSwitch.ToBuiltIn();
             (skybox, sun) = (RenderSettings.skybox, RenderSettings.sun);
             material = Keep(new Material(AssetDatabase.LoadAssetAtPath<Shader>(ShaderPath)));
             material.SetFloat("_CloudCover", 0f);
@@ -50,6 +48,7 @@ namespace SphFluid.Tests
             camera.targetTexture = null;
             for (int i = made.Count - 1; i >= 0; i--) Object.DestroyImmediate(made[i]);
             made.Clear();
+            pipeline.Dispose();
             (RenderSettings.skybox, RenderSettings.sun) = (skybox, sun);
         }
 

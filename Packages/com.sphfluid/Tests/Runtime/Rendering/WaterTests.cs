@@ -74,9 +74,11 @@ namespace SphFluid.Tests
             }
         }
 
+        // Of the Built-in pipeline, where the picture is copied by a command buffer of the camera.
         [UnityTest]
         public IEnumerator NothingIsLeftOnCamerasAfterwards()
         {
+            using PipelineSwitch builtIn = PipelineSwitch.ToBuiltIn();
             FluidSurfaceRenderer drawing = Create("Fluid", Vector3.zero, Color.white);
             yield return PictureRig.Frames(2);
             Assert.IsTrue(WaterCameras.IsListening);
@@ -153,10 +155,12 @@ namespace SphFluid.Tests
             }
         }
 
-        // As long as a liquid that receives shadows is drawn, two command buffers are on the light, whoever else is there.
+        // As long as the Built-in pipeline draws a liquid that receives shadows, two command buffers are on the light, whoever else is
+        // there.
         [UnityTest]
         public IEnumerator NothingIsLeftOnTheLightAfterwards()
         {
+            using PipelineSwitch builtIn = PipelineSwitch.ToBuiltIn();
             view.Light.shadows = LightShadows.Soft;
             FluidSurfaceRenderer drawing = Create("Fluid", Vector3.zero, Color.white);
             var squares = rig.Create("Squares", position: Vector3.right).gameObject.AddComponent<FluidParticleRenderer>();

@@ -10,7 +10,6 @@ namespace SphFluid
             CellBindings.SetSearch(cmd, kernel, state);
             CellBindings.SetWalls(cmd, kernel, state);
             state.List.Set(cmd, kernel);
-            kernel.Set(cmd, state.Buffers.Positions);
             kernel.Set(cmd, state.Buffers.PositionTerms);
         }
     }

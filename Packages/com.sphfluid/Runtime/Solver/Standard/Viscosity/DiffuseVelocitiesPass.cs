@@ -59,7 +59,6 @@ namespace SphFluid
             kernel.SetFloat(cmd, ZeroShare, (float)ImplicitViscosity.ZeroShare(iterations));
             kernel.SetInt(cmd, SpectrumSlot, state.Viscous.Slot);
             kernel.Set(cmd, state.Viscous.Spectrum);
-            kernel.Set(cmd, state.Buffers.Positions);
             kernel.Set(cmd, state.Buffers.NewVelocities);
         }
     }

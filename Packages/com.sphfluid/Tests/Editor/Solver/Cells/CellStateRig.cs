@@ -80,7 +80,7 @@ namespace SphFluid.Tests
             var starts = new uint[removed + 2];
             foreach (FluidParticle p in sorted) starts[Cell(p) + 1]++;
             for (int i = 1; i < starts.Length; i++) starts[i] += starts[i - 1];
-            State.Buffers.CellStart.SetData(starts);
+            State.Buffers.CellTable.SetData(starts);
             EmptyCells(State);
             Fill(State.Buffers.Positions, sorted.Select(p => WithW(p.Position, 0f)).ToArray());
             Fill(State.Buffers.PositionTerms, sorted.Select(p => WithW(p.Position, 0f)).ToArray());
@@ -98,8 +98,8 @@ namespace SphFluid.Tests
         public static void AssertCounted(CellState state, Vector4[] positions, int[] counted)
         {
             CellRows cells = state.Cells;
-            uint[] counts = GpuTest.Read<uint>(state.Buffers.CellCount, cells.CellCount + 1);
-            uint[] ranks = GpuTest.Read<uint>(state.Buffers.Rank, state.ParticleCount);
+            uint[] counts = state.Buffers.CellCount.Read<uint>(cells.CellCount + 1);
+            uint[] ranks = state.Buffers.Rank.Read<uint>(state.ParticleCount);
             int[] sure = counted.Where(i => positions[i].w < 0f || !IsOnAFace(cells, positions[i])).ToArray();
             int unsure = counted.Length - sure.Length;
             Assert.That(unsure, Is.LessThan(1 + counted.Length / 50), "particles on faces of cells");
@@ -121,7 +121,7 @@ namespace SphFluid.Tests
         /// </summary>
         public static void AssertSums(CellState state, uint[] counts)
         {
-            uint[] parts = GpuTest.Read<uint>(state.Buffers.CellCount, state.Buffers.CellCount.Count).Skip(counts.Length).ToArray();
+            uint[] parts = state.Buffers.CellCount.Read<uint>(Counted(state)).Skip(counts.Length).ToArray();
             Assert.That(parts.Length, Is.EqualTo(16 * ((counts.Length + 2047) / 2048)));
             for (int i = 0; i < parts.Length; i += 16)
             {
@@ -132,14 +132,17 @@ namespace SphFluid.Tests
 
         /// <summary>Empties the counts of the cells and their sums, as a sort does.</summary>
         public static void EmptyCells(CellState state) =>
-            state.Buffers.CellCount.SetData(new uint[state.Buffers.CellCount.Count]);
+            state.Buffers.CellCount.SetData(new uint[Counted(state)]);
+
+        /// <summary>Numbers that a count of the particles fills: of the cells, and their sums.</summary>
+        public static int Counted(CellState state) => state.Buffers.CellTotal + state.Buffers.SumCount;
 
         /// <summary>Gives the particles densities and p/ρ².</summary>
         public void SetTerms(Vector2[] terms)
         {
             int count = State.ParticleCount;
             Vector4[] places = GpuTest.Read<Vector4>(State.Buffers.PositionTerms, count);
-            State.Buffers.Densities.SetData(terms.Select(t => t.x).ToArray());
+            State.List.Densities.SetData(terms.Select(t => t.x).ToArray());
             State.Buffers.PositionTerms.SetData(places.Zip(terms, (p, t) => WithW(p, t.y)).ToArray());
         }
 
@@ -178,13 +181,13 @@ namespace SphFluid.Tests
         public Vector2[] Terms()
         {
             int count = State.ParticleCount;
-            return GpuTest.Read<float>(State.Buffers.Densities, count)
+            return State.List.Densities.Read<float>(count)
                 .Zip(GpuTest.Read<Vector4>(State.Buffers.PositionTerms, count), (density, place) => new Vector2(density, place.w))
                 .ToArray();
         }
 
         /// <summary>Empties the list of contacts, as the density pass does before each step.</summary>
-        public static void EmptyContacts(CellState state) => state.Walls.ContactArguments.SetData(new[] { 0u, 1u, 1u, 0u });
+        public static void EmptyContacts(CellState state) => state.Walls.Contacts.SetData(new[] { 0u, 1u, 1u, 0u });
 
         /// <summary>The counters on the GPU.</summary>
         public uint[] Counters() => GpuTest.Read<uint>(State.Published.Counters, CounterReadback.Slots);

@@ -190,11 +190,19 @@ namespace SphFluid.Tests
             state.Walls.WallGap.SetData(Enumerable.Repeat(new Vector4(gapAt.x, gapAt.y, gapAt.z, gap), state.ParticleCount).ToArray());
             var pass = new FindContactsPass(shaders);
             GpuTest.Run(cmd => pass.Record(cmd, state, new FluidStep(1e-3f, 1e-3f, false), state.Buffers.PositionTerms));
-            uint[] arguments = GpuTest.Read<uint>(state.Walls.ContactArguments, 4);
+            uint[] arguments = GpuTest.Read<uint>(state.Walls.Contacts, 4);
             uint listed = arguments[3];
             uint groups = (listed + 63u) / 64u;
             Assert.That(arguments, Is.EqualTo(new[] { groups, 1u, 1u, listed }), "groups that resolve them, number");
-            int[] list = GpuTest.Read<uint>(state.Walls.ContactList, (int)listed).Select(id => (int)id).ToArray();
+            uint[] contacts = GpuTest.Read<uint>(state.Walls.Contacts, 4 + 4 * (int)listed);
+            int[] list = Enumerable.Range(1, (int)listed).Select(i => (int)contacts[4 * i + 3]).ToArray();
+            Vector4[] from = GpuTest.Read<Vector4>(state.Buffers.PositionTerms, state.ParticleCount);
+            for (int i = 0; i < list.Length; i++)
+            {
+                var began = new Vector3(BitConverter.Int32BitsToSingle((int)contacts[4 * i + 4]),
+                    BitConverter.Int32BitsToSingle((int)contacts[4 * i + 5]), BitConverter.Int32BitsToSingle((int)contacts[4 * i + 6]));
+                Assert.That(began, Is.EqualTo((Vector3)from[list[i]]), "where it began");
+            }
             Assert.That(list.Distinct().Count(), Is.EqualTo(list.Length), "each is listed once");
             return list;
         }

@@ -114,11 +114,10 @@ namespace SphFluid.Tests
                 rig.Start(ParticleSets.Random(count, 0.1f * Vector3.one, 0f, 1));
                 rig.Setup();
                 Vector3[] points = Points(count, 0.98f * size, count);
-                MeshWallBuffers buffers = rig.State.Walls;
                 rig.State.Buffers.Positions.SetData(points.Select(p => (Vector4)p).ToArray());
-                buffers.WallSlot.SetData(Enumerable.Repeat(4242u, count).ToArray());
+                rig.State.List.WallSlot.SetData(Enumerable.Repeat(4242u, count).ToArray());
                 GpuTest.Run(cmd => new GatherWallsPass(set).Record(cmd, rig.State, rig.State.Buffers.Positions));
-                uint[] slots = GpuTest.Read<uint>(buffers.WallSlot, count);
+                uint[] slots = rig.State.List.WallSlot.Read<uint>(count);
                 StoredWall[] walls = StoredWall.Read(rig.State);
                 for (int i = 0; i < count; i++)
                 {
@@ -154,7 +153,7 @@ namespace SphFluid.Tests
                 rig.Start(ParticleSets.Random(count, 0.9f * Vector3.one, 0f, 2));
                 rig.Setup();
                 Vector4[] at = GpuTest.Read<Vector4>(rig.State.Buffers.Positions, count);
-                Vector4[] gaps = GpuTest.Read<Vector4>(rig.State.Walls.WallGap, count);
+                Vector4[] gaps = rig.State.Walls.WallGap.Read<Vector4>(count);
                 for (int i = 0; i < count; i++)
                 {
                     double nearest = settings.SupportRadius;
@@ -274,8 +273,7 @@ namespace SphFluid.Tests
                 Assert.That(rig.Bodies.HasStretch, Is.True);
                 StoredWall[] walls = StoredWall.Gather(rig.State, 0, 1);
                 Vector4[] at = GpuTest.Read<Vector4>(rig.State.Buffers.Positions, points.Length);
-                MeshWallBuffers buffers = rig.State.Walls;
-                uint[] slots = GpuTest.Read<uint>(buffers.WallSlot, points.Length);
+                uint[] slots = rig.State.List.WallSlot.Read<uint>(points.Length);
                 Vector3 size = 0.4f * new Vector3(0.9f, 1.3f, 1.1f); // where the step begins
                 Double3[] faces = Inside(size);
                 int felt = 0;

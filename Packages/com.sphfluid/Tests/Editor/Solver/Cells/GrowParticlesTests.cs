@@ -22,6 +22,8 @@ namespace SphFluid.Tests
                 CellBuffers buffers = rig.State.Buffers;
                 buffers.NewPositions.SetData(positions);
                 buffers.NewVelocities.SetData(velocities);
+                var table = Enumerable.Range(0, buffers.Rank.Begin).Select(i => 3u * (uint)i).ToArray();
+                buffers.CellTable.SetData(table);
                 buffers.Rank.SetData(ranks);
                 rig.State.List.Counts.SetData(neighbours);
                 var old = new CellRemains(rig.State);
@@ -35,8 +37,9 @@ namespace SphFluid.Tests
                 Assert.That((buffers.NewPositions.Count, buffers.Positions.Count), Is.EqualTo((3 * count, 3 * count + 3)));
                 Assert.That(GpuTest.Read<Vector4>(buffers.NewPositions, count), Is.EqualTo(positions));
                 Assert.That(GpuTest.Read<Vector4>(buffers.NewVelocities, count), Is.EqualTo(velocities));
-                Assert.That(GpuTest.Read<uint>(buffers.Rank, count), Is.EqualTo(ranks));
-                Assert.That(GpuTest.Read<uint>(rig.State.List.Counts, count), Is.EqualTo(neighbours));
+                Assert.That(GpuTest.Read<uint>(buffers.CellTable, table.Length), Is.EqualTo(table));
+                Assert.That(buffers.Rank.Read<uint>(count), Is.EqualTo(ranks));
+                Assert.That(rig.State.List.Counts.Read<uint>(count), Is.EqualTo(neighbours));
                 long bytes = rig.State.Bytes;
                 rig.State.Retired.Release(0);
                 Assert.That(rig.State.Bytes, Is.EqualTo(bytes), "the old buffers are no part of the state");

@@ -43,9 +43,9 @@ namespace SphFluid.Tests
 
                 var expected = new uint[cells.CellCount + 1];
                 foreach (int cell in cellOf) expected[cell]++;
-                Assert.That(GpuTest.Read<uint>(rig.State.Buffers.CellCount, expected.Length), Is.EqualTo(expected));
+                Assert.That(rig.State.Buffers.CellCount.Read<uint>(expected.Length), Is.EqualTo(expected));
                 StandardStateRig.AssertSums(rig.State, expected);
-                uint[] ranks = GpuTest.Read<uint>(rig.State.Buffers.Rank, count);
+                uint[] ranks = rig.State.Buffers.Rank.Read<uint>(count);
                 foreach (IGrouping<int, int> cell in Enumerable.Range(0, count).GroupBy(i => cellOf[i]))
                 {
                     IEnumerable<int> ofCell = cell.Select(i => (int)ranks[i]).OrderBy(rank => rank);
@@ -76,7 +76,7 @@ namespace SphFluid.Tests
                 }
 
                 Load(rig, particles);
-                Assert.That(GpuTest.Read<uint>(rig.State.Buffers.CellCount, expected.Length), Is.EqualTo(expected));
+                Assert.That(rig.State.Buffers.CellCount.Read<uint>(expected.Length), Is.EqualTo(expected));
                 StandardStateRig.AssertSums(rig.State, expected);
             }
         }
@@ -84,7 +84,7 @@ namespace SphFluid.Tests
         private static void Load(StandardStateRig rig, FluidParticle[] particles)
         {
             StandardStateRig.Fill(rig.State.Published.Particles, particles);
-            rig.State.Buffers.CellCount.SetData(Enumerable.Repeat(99u, rig.State.Buffers.CellCount.Count).ToArray());
+            rig.State.Buffers.CellCount.SetData(Enumerable.Repeat(99u, StandardStateRig.Counted(rig.State)).ToArray());
             var pass = new LoadParticlesPass(rig.Shaders);
             GpuTest.Run(cmd => pass.Record(cmd, rig.State));
         }

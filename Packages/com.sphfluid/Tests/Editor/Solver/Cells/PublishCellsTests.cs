@@ -26,7 +26,8 @@ namespace SphFluid.Tests
                 ranges.SetData(Enumerable.Repeat(untouched, ranges.count).ToArray());
                 GpuTest.Run(cmd =>
                 {
-                    CellBindings.SetCells(cmd, kernel, cells, cellStart);
+                    CellBindings.SetCells(cmd, kernel, cells);
+                    kernel.SetBuffer(cmd, Shader.PropertyToID("_CellTable"), cellStart);
                     GridNeighbours.SetGrid(cmd, kernel, grid);
                     kernel.SetBuffer(cmd, Shader.PropertyToID("_GridIndicesOut"), ranges);
                     kernel.DispatchThreads(cmd, grid.CellCount);

@@ -22,7 +22,7 @@ namespace SphFluid.Tests
                 Vector4[] positions = GpuTest.Read<Vector4>(held.Positions, count),
                     velocities = GpuTest.Read<Vector4>(held.Velocities, count);
                 float[] densities = rig.Densities(), pressures = rig.Pressures();
-                float[] density = GpuTest.Read<float>(held.Densities, count);
+                float[] density = rig.State.List.Densities.Read<float>(count);
                 Vector4[] terms = GpuTest.Read<Vector4>(held.PositionTerms, count);
                 for (int i = 0; i < count; i++)
                 {

@@ -133,16 +133,17 @@ namespace SphFluid.Tests
         {
             StandardState state = rig.State;
             int count = from.Length;
-            state.Buffers.PositionTerms.SetData(from.Select(p => (Vector4)p).ToArray());
             state.Buffers.NewPositions.SetData(to.Select(p => (Vector4)p).ToArray());
             state.Buffers.NewVelocities.SetData(from.Select((p, i) =>
                 StandardStateRig.WithW((to[i] - p) / TimeStep, StandardStateRig.FromBits(7u * (uint)i))).ToArray());
             StandardStateRig.EmptyCells(state);
-            StandardStateRig.Fill(state.Walls.ContactList, list.Select(i => (uint)i).ToArray());
-            state.Walls.ContactArguments.SetData(new[] { (uint)(list.Length + 63) / 64u, 1u, 1u, (uint)list.Length });
+            uint[] arguments = { (uint)(list.Length + 63) / 64u, 1u, 1u, (uint)list.Length };
+            uint Bits(float value) => StandardStateRig.ToBits(value);
+            state.Walls.Contacts.SetData(arguments
+                .Concat(list.SelectMany(i => new[] { Bits(from[i].x), Bits(from[i].y), Bits(from[i].z), (uint)i })).ToArray());
             FluidShaderSet shaders = TestShaders.CreateSet();
             var pass = new ResolveContactsPass(shaders);
-            GpuTest.Run(cmd => pass.Record(cmd, state, new FluidStep(TimeStep, TimeStep, false), state.Buffers.PositionTerms));
+            GpuTest.Run(cmd => pass.Record(cmd, state, new FluidStep(TimeStep, TimeStep, false)));
             Object.DestroyImmediate(shaders);
             Vector4[] moved = GpuTest.Read<Vector4>(state.Buffers.NewVelocities, count);
             for (int i = 0; i < count; i++) Assert.That(StandardStateRig.ToBits(moved[i].w), Is.EqualTo(7u * (uint)i), $"id of {i}");

@@ -24,7 +24,7 @@ namespace SphFluid.Tests
             {
                 CellBuffers buffers = rig.State.Buffers;
                 int groups = (total + 2047) / 2048;
-                Assert.That(buffers.CellCount.Count, Is.EqualTo(total + 16 * groups));
+                Assert.That(buffers.CellTotal + buffers.SumCount, Is.EqualTo(total + 16 * groups));
                 var random = new System.Random(total);
                 var counts = new uint[total + 16 * groups];
                 for (int i = 0; i < total; i++)
@@ -36,12 +36,12 @@ namespace SphFluid.Tests
                 buffers.CellCount.SetData(counts);
                 var starts = new uint[total + 1];
                 Array.Fill(starts, behind);
-                buffers.CellStart.SetData(starts);
+                buffers.CellTable.SetData(starts);
 
                 var pass = new ScanCellsPass(rig.Shaders);
                 GpuTest.Run(cmd => pass.Record(cmd, rig.State));
 
-                buffers.CellStart.GetData(starts);
+                buffers.CellTable.GetData(starts);
                 uint expected = 0u;
                 for (int i = 0; i < total; i++)
                 {
@@ -50,7 +50,7 @@ namespace SphFluid.Tests
                 }
 
                 Assert.That(starts[total], Is.EqualTo(expected), "the end of those that left");
-                buffers.CellCount.GetData(counts);
+                counts = buffers.CellCount.Read<uint>(counts.Length);
                 Assert.That(counts.Take(total).All(count => count == 0u), Is.True, "cleared for the next step");
             }
         }

@@ -45,16 +45,16 @@ namespace SphFluid.Tests
                 CellBuffers buffers = rig.State.Buffers;
                 StandardStateRig.Fill(buffers.NewPositions, positions);
                 StandardStateRig.Fill(buffers.NewVelocities, velocities);
-                StandardStateRig.Fill(buffers.Rank, ranks);
-                buffers.CellStart.SetData(starts);
-                buffers.CellCount.SetData(Enumerable.Range(0, buffers.CellCount.Count).Select(i => i < buffers.CellTotal ? 0u : 9u)
-                    .ToArray());
-                StandardStateRig.Fill(rig.State.List.Counts, Enumerable.Range(0, count).Select(i => i % 3 == 0 ? 40u : 30u).ToArray());
+                buffers.Rank.SetData(ranks);
+                buffers.CellTable.SetData(starts);
+                int counted = buffers.CellTotal + buffers.SumCount;
+                buffers.CellCount.SetData(Enumerable.Range(0, counted).Select(i => i < buffers.CellTotal ? 0u : 9u).ToArray());
+                rig.State.List.Counts.SetData(Enumerable.Range(0, count).Select(i => i % 3 == 0 ? 40u : 30u).ToArray());
                 rig.State.ListTime = ListTime;
                 var pass = new ScatterParticlesPass(rig.Shaders);
                 GpuTest.Run(cmd => pass.Record(cmd, rig.State));
 
-                uint[] sums = GpuTest.Read<uint>(buffers.CellCount, buffers.CellCount.Count);
+                uint[] sums = buffers.CellCount.Read<uint>(counted);
                 Assert.That(sums, Is.All.Zero, "the scan's sums are cleared for the next count");
                 Vector4[] sortedPositions = GpuTest.Read<Vector4>(buffers.Positions, count);
                 Vector4[] terms = GpuTest.Read<Vector4>(buffers.PositionTerms, count);

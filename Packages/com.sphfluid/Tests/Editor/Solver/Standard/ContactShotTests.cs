@@ -106,8 +106,7 @@ namespace SphFluid.Tests
                             walls.Record(cmd, state, state.Buffers.Positions);
                             find.Record(cmd, state, new FluidStep(settings.TimeStep, settings.TimeStep, false),
                                 state.Buffers.PositionTerms);
-                            resolve.Record(cmd, state, new FluidStep(settings.TimeStep, settings.TimeStep, false),
-                                state.Buffers.PositionTerms);
+                            resolve.Record(cmd, state, new FluidStep(settings.TimeStep, settings.TimeStep, false));
                         });
                         Vector4[] end = GpuTest.Read<Vector4>(state.Buffers.NewPositions, Shots);
                         for (int i = 0; i < Shots; i++)

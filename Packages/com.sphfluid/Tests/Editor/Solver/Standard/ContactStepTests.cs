@@ -31,7 +31,7 @@ namespace SphFluid.Tests
                     rig.Setup();
                     Vector3[] end = Step(rig, set, from, to);
                     counters = rig.Solver.ReadCountersNow();
-                    listed = GpuTest.Read<uint>(rig.State.Walls.ContactArguments, 4)[3];
+                    listed = GpuTest.Read<uint>(rig.State.Walls.Contacts, 4)[3];
                     return end;
                 }
             }
@@ -55,7 +55,7 @@ namespace SphFluid.Tests
             {
                 new GatherWallsPass(set).Record(cmd, state, state.Buffers.Positions);
                 new FindContactsPass(set).Record(cmd, state, step, state.Buffers.PositionTerms);
-                new ResolveContactsPass(set).Record(cmd, state, step, state.Buffers.PositionTerms);
+                new ResolveContactsPass(set).Record(cmd, state, step);
             });
             return GpuTest.Read<Vector4>(state.Buffers.NewPositions, from.Length).Select(p => (Vector3)p).ToArray();
         }

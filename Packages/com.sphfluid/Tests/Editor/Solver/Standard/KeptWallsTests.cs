@@ -30,7 +30,7 @@ namespace SphFluid.Tests
                 GpuTest.Run(cmd => new GatherWallsPass(set).Record(cmd, rig.State, rig.State.Buffers.Positions, isKept: true));
                 Assert.That(Gap() < was - 1e-3f * radius, Is.EqualTo(gathers));
 
-                float Gap() => GpuTest.Read<Vector4>(rig.State.Walls.WallGap, 1)[0].w;
+                float Gap() => rig.State.Walls.WallGap.Read<Vector4>(1)[0].w;
             }
             UnityEngine.Object.DestroyImmediate(set);
         }
@@ -53,7 +53,7 @@ namespace SphFluid.Tests
                 rig.Frame(1);
                 Assert.That((rig.Bodies.Jumps, Slot()), Is.EqualTo((1, 1u)));
 
-                uint Slot() => GpuTest.Read<uint>(rig.State.Walls.WallSlot, 1)[0];
+                uint Slot() => rig.State.List.WallSlot.Read<uint>(1)[0];
             }
         }
     }

@@ -45,7 +45,7 @@ namespace SphFluid.Tests
                 FluidParticle[] particles = rig.FillSorted(all);
                 Record(rig);
                 NeighbourList list = rig.State.List;
-                uint[] counts = GpuTest.Read<uint>(list.Counts, count);
+                uint[] counts = list.Counts.Read<uint>(count);
                 uint[] entries = GpuTest.Read<uint>(list.Neighbours, (count + 31) / 32 * 32 * list.Length);
                 for (int i = 0; i < count; i++)
                 {
@@ -186,7 +186,7 @@ namespace SphFluid.Tests
                 for (int i = 0; i < count / 5; i++) all[i].Position *= 0.15f; // more than a list holds
                 FluidParticle[] sorted = rig.FillSorted(all);
                 Record(rig);
-                uint[] counts = GpuTest.Read<uint>(rig.State.List.Counts, count);
+                uint[] counts = rig.State.List.Counts.Read<uint>(count);
                 var random = new System.Random(count);
                 FluidParticle[] moved = sorted.Select(p =>
                 {

@@ -144,7 +144,7 @@ namespace SphFluid.Tests
         public static StoredWall[] Read(StandardState state)
         {
             int count = state.ParticleCount;
-            uint[] slots = GpuTest.Read<uint>(state.Walls.WallSlot, count);
+            uint[] slots = state.List.WallSlot.Read<uint>(count);
             Packed[] packed = GpuTest.Read<Packed>(state.Walls.NearWalls, count);
             Vector4[] positions = GpuTest.Read<Vector4>(state.Buffers.Positions, count);
             return Enumerable.Range(0, count).Select(i =>

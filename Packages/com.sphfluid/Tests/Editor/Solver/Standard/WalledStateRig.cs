@@ -42,7 +42,7 @@ namespace SphFluid.Tests
         public static void SetWalls(StandardStateRig rig, List<StoredWall.Packed> walls, Func<int, bool> has = null)
         {
             rig.State.Walls.NearWalls.SetData(walls.ToArray());
-            rig.State.Walls.WallSlot.SetData(walls.Select((_, i) => has == null || has(i) ? 1u + (uint)i : 0u).ToArray());
+            rig.State.List.WallSlot.SetData(walls.Select((_, i) => has == null || has(i) ? 1u + (uint)i : 0u).ToArray());
         }
     }
 }

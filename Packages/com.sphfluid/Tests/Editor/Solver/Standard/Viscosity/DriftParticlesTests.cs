@@ -48,7 +48,7 @@ namespace SphFluid.Tests
             int count = rig.State.ParticleCount;
             return (GpuTest.Read<Vector4>(rig.State.Buffers.NewPositions, count),
                 GpuTest.Read<Vector4>(rig.State.Buffers.NewVelocities, count),
-                rig.Counters(), GpuTest.Read<uint>(rig.State.Buffers.CellCount, rig.State.Cells.CellCount + 1));
+                rig.Counters(), rig.State.Buffers.CellCount.Read<uint>(rig.State.Cells.CellCount + 1));
         }
     }
 }

@@ -1,0 +1,121 @@
+using System.Collections;
+using NUnit.Framework;
+using UnityEngine;
+using UnityEngine.TestTools;
+
+namespace SphFluid.Tests
+{
+    /// <summary>What water does with light, measured in the pictures of each pipeline.</summary>
+    public sealed class WaterInBothPipelinesTests : UniversalTest
+    {
+        private const bool BuiltInPipeline = false;
+        private const bool UniversalPipeline = true;
+
+        [UnityTest]
+        public IEnumerator TheBlockBesideItShadesTheWater([Values(BuiltInPipeline, UniversalPipeline)] bool universal)
+        {
+            Scene.Sun.intensity = 2f;
+            Scene.Water.Water.Visibility = 0.3f; // milky, so that the water itself is lit
+            yield return Draw(universal);
+            Color shaded = At(universal, new Vector3(0.15f, 0.05f, -0.06f)), lit = At(universal, new Vector3(-0.15f, 0.05f, -0.06f));
+            Scene.Beside.SetActive(false);
+            yield return Draw(universal);
+            Color free = At(universal, new Vector3(0.15f, 0.05f, -0.06f)), same = At(universal, new Vector3(-0.15f, 0.05f, -0.06f));
+            Assert.That(shaded.grayscale, Is.LessThan(0.8f * free.grayscale), "in the shadow");
+            Assert.That(lit.grayscale, Is.EqualTo(same.grayscale).Within(0.03f), "beyond it");
+        }
+
+        [UnityTest]
+        public IEnumerator WaterDisplacesWhatIsBehindIt()
+        {
+            Scene.Camera.transform.position = new Vector3(-0.75f, 0.05f, -0.85f); // aslant through the front
+            Scene.Camera.transform.LookAt(new Vector3(0f, -0.05f, 0f));
+            Scene.Behind.transform.position += 0.4f * Vector3.right;
+            Scene.Beside.SetActive(false);
+            Scene.Water.Water.Refraction = 0f;
+            yield return DrawBoth();
+            AssertAlike();
+            float straight = Universal.PlaceOfRed(Picture.All), straightBefore = BuiltIn.PlaceOfRed(Picture.All);
+            Scene.Water.Water.Refraction = 1f;
+            yield return DrawBoth();
+            AssertAlike();
+            float bent = Universal.PlaceOfRed(Picture.All), bentBefore = BuiltIn.PlaceOfRed(Picture.All);
+            Assert.That(straight, Is.EqualTo(straightBefore).Within(0.005f));
+            Assert.That(bent, Is.EqualTo(bentBefore).Within(0.005f));
+            Assert.That(Mathf.Abs(bent - straight), Is.GreaterThan(0.03f));
+            Scene.Water.enabled = false;
+            yield return DrawUniversal();
+            Assert.That(straight, Is.EqualTo(Universal.PlaceOfRed(Picture.All)).Within(0.02f), "not bent: where it is without water");
+        }
+
+        // Beer and Lambert: of what comes through d metres, c^d is left, with c at one metre. Both surfaces take the same from each block.
+        [UnityTest]
+        public IEnumerator TwiceAsMuchWaterSwallowsTheSquare([Values(BuiltInPipeline, UniversalPipeline)] bool universal)
+        {
+            const float red = 0.01f;
+            Replace(new Bounds(new Vector3(-0.2f, -0.05f, -0.05f), new Vector3(0.3f, 0.3f, 0.1f)),
+                new Bounds(new Vector3(0.2f, -0.05f, 0f), new Vector3(0.3f, 0.3f, 0.2f)));
+            Scene.Water.Water.ColorAtOneMetre = new Color(red, 1f, 1f);
+            Scene.Water.Water.Visibility = 1e6f;
+            Scene.Beside.SetActive(false);
+            Scene.Behind.transform.localPosition = new Vector3(0f, 0f, 0.35f);
+            Scene.Behind.transform.localScale = new Vector3(2f, 1f, 0.02f);
+            Scene.Sun.shadows = LightShadows.None;
+            Scene.Camera.transform.SetPositionAndRotation(new Vector3(0f, -0.05f, -1f), Quaternion.identity);
+            yield return Draw(universal);
+            float thin = At(universal, new Vector3(-0.2f, -0.05f, -0.1f)).linear.r;
+            float thick = At(universal, new Vector3(0.2f, -0.05f, -0.1f)).linear.r;
+            Assert.That(thick / thin, Is.EqualTo(Mathf.Pow(red, 0.1f)).Within(0.06f));
+        }
+
+        [UnityTest]
+        public IEnumerator SprayIsSeenThroughTheWater()
+        {
+            var block = new Bounds(new Vector3(0f, -0.075f, -0.1f), new Vector3(0.4f, 0.25f, 0.2f));
+            var drop = new Bounds(new Vector3(0.1f, -0.075f, 0.225f), Vector3.one * SimulationRig.Spacing);
+            yield return ShowSpray(block);
+            float builtIn = BuiltIn.Brightest(Around(drop.center)), universal = Universal.Brightest(Around(drop.center));
+            yield return ShowSpray(block, drop);
+            AssertAlike();
+            Assert.That(BuiltIn.Brightest(Around(drop.center)), Is.GreaterThan(builtIn + 0.1f));
+            Assert.That(Universal.Brightest(Around(drop.center)), Is.GreaterThan(universal + 0.1f));
+        }
+
+        [UnityTest]
+        public IEnumerator FromWithinAllIsSeenThroughWater()
+        {
+            Replace(new Bounds(Vector3.zero, new Vector3(0.8f, 0.4f, 0.8f)));
+            Scene.Water.Water.ColorAtOneMetre = new Color(0.05f, 0.5f, 0.7f);
+            Scene.Camera.transform.SetPositionAndRotation(new Vector3(-0.1f, -0.06f, -0.25f), Quaternion.Euler(4f, 0f, 0f));
+            yield return DrawBoth();
+            AssertAlike();
+            Vector2 block = Scene.Camera.WorldToViewportPoint(new Vector3(-0.08f, -0.1f, 0.22f));
+            Color within = Universal.At(block).linear;
+            Scene.Water.enabled = false;
+            yield return DrawUniversal();
+            Color without = Universal.At(block).linear;
+            Assert.That(within.r, Is.LessThan(0.6f * without.r), "half a metre of water swallows red");
+        }
+
+        private IEnumerator ShowSpray(params Bounds[] liquid)
+        {
+            Replace(liquid);
+            Scene.Behind.transform.position = new Vector3(0f, 0f, 0.39f);
+            Scene.Behind.transform.localScale = new Vector3(1f, 0.6f, 0.02f);
+            Scene.Behind.GetComponent<Renderer>().sharedMaterial.color = Color.black;
+            Scene.Water.Water.Refraction = 0f;
+            yield return DrawBoth();
+        }
+
+        private Rect Around(Vector3 point)
+        {
+            Vector2 place = Scene.Camera.WorldToViewportPoint(point);
+            return new Rect(place.x - 0.03f, place.y - 0.04f, 0.06f, 0.08f);
+        }
+
+        private IEnumerator Draw(bool universal) => universal ? DrawUniversal() : DrawBuiltIn();
+
+        private Color At(bool universal, Vector3 point) =>
+            (universal ? Universal : BuiltIn).At(Scene.Camera.WorldToViewportPoint(point));
+    }
+}
