@@ -29,6 +29,8 @@ internal sealed class FxcBudget(string packageRoot)
         ["ResolveContacts"] = 1800, // four kinds of bodies; those that deform are followed through a step
         // 27 samples a thread in registers through nested loops, two filters.
         ["SampleBlocks"] = 1600,
+        // Light is followed to the scene, mirrored by panes and carried on behind; the scene's picture may be coarser than its depth.
+        ["ShadeWater"] = 1450,
     };
 
     public void Check(IReadOnlyList<FxcResult> results, CheckReport report)

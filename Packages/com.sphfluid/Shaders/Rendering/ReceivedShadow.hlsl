@@ -119,14 +119,15 @@ float LitShare(float3 place, float2 size)
 // x: light that a full shadow takes away; y: how far it has faded.
 float2 ShadowStrength(float3 world, float eyeDepth)
 {
-    if (_FluidShadowSource.x == SHADOW_UNIVERSAL)
+    float2 shadow = float2(_MainLightShadowParams.x, MainLightShadowFade(world));
+    if (_FluidShadowSource.x != SHADOW_UNIVERSAL)
     {
-        return float2(_MainLightShadowParams.x, MainLightShadowFade(world));
+        float4 data = _FluidShadowConstants.Load(int3(22, 0, 0));
+        float4 fade = _FluidShadowConstants.Load(int3(23, 0, 0));
+        float metres = lerp(eyeDepth, distance(world, fade.xyz), fade.w);
+        shadow = float2(1.0 - data.x, saturate(metres * data.z + data.w));
     }
-    float4 data = _FluidShadowConstants.Load(int3(22, 0, 0));
-    float4 fade = _FluidShadowConstants.Load(int3(23, 0, 0));
-    float metres = lerp(eyeDepth, distance(world, fade.xyz), fade.w);
-    return float2(1.0 - data.x, saturate(metres * data.z + data.w));
+    return shadow;
 }
 
 // Of nine texels of the map, those that the partial shadow of water fills (WaterShading.hlsl).
