@@ -46,6 +46,7 @@ public static class UniversalFacts
         Vector("_MainLightShadowOffset0", AfterRenderingShadows, "half a texel: -x, -y, x, -y", "", _ => new Vector4(-1f, -1f, 1f, -1f) / 4096f),
         Vector("_MainLightShadowOffset1", AfterRenderingShadows, "half a texel: -x, y, x, y", "", _ => new Vector4(-1f, 1f, 1f, 1f) / 4096f),
         Size("_MainLightShadowmapTexture", AfterRenderingShadows, "four squares, two by two; depth for comparison", _ => new Vector2(2048f, 2048f)),
+        Vector("_ShadowBias", AfterRenderingShadows, "along the light and along the normal of a caster, both away from the light: bias times a texel of the last cascade times the filter's reach; 1 for a directional light", "m", "float4 {0};", "float4(sign({0}.xy), {0}.zw)", _ => new Vector4(-1f, -1f, 1f, 0f)),
         Vector("_LightDirection", AfterRenderingShadows, "unit vector to the light that cast last", "", "float3 {0};", "float4({0}, 0.0)", s => FactScene.Toward(s.Sun)),
         Size("_CameraDepthTexture", BeforeRenderingTransparents, "depth as the device has it, copied after the sky or drawn before the opaques", s => s.TargetSize),
         Size("_CameraOpaqueTexture", BeforeRenderingTransparents, "the picture before transparents, by default at half size", s => new Vector2((int)(s.TargetSize.x / 2f), (int)(s.TargetSize.y / 2f))),
