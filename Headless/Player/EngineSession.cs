@@ -72,6 +72,7 @@ internal sealed class EngineSession : IDisposable
     public void Dispose()
     {
         PlaySession.End();
+        StereoChoice.Apply(null);
         PipelineChoice.Apply(PipelineChoice.BuiltIn);
         EngineState.Reset();
         GraphicsDevice.Shutdown();

@@ -1,7 +1,7 @@
 # Written by ./run help --update from the flags that the parsers read; run reads it.
 verbs='play bench chart choose stability leaks surfaces merge budgets export peers figures check model mutate docs devices publish build help'
 declare -A all_flags=(
-    [play]='--scene --seconds --fps --size --out --device --pipeline --no-images --open --twice --validate --method --budget --surface --particles --seed --sequence --write-sequence --state --mesh --record'
+    [play]='--scene --seconds --fps --size --out --device --pipeline --stereo --no-images --open --twice --validate --unset --method --budget --surface --particles --seed --sequence --write-sequence --state --mesh --record'
     [bench]='--device --validate --table --particles --grids --repeat --out --sweep --no-sweep --scene --phases --against --fps --size --pipeline --method --surface --seed'
     [chart]='--device --validate --quick --case --method --out --slice --shard'
     [choose]='--device --validate --case --error --ms --fps --length --speed --volume --compression --chart --verify --out'
@@ -18,7 +18,7 @@ declare -A all_flags=(
     [mutate]='--shaders --scripts --seed --files --only --map --map-filter --again --survivors --seconds --list --work --out'
 )
 declare -A player_values=(
-    [play]='--scene --seconds --fps --size --out --device --pipeline'
+    [play]='--scene --seconds --fps --size --out --device --pipeline --stereo'
     [bench]='--device'
     [chart]='--device'
     [choose]='--device'
@@ -31,7 +31,7 @@ declare -A player_values=(
     [peers]='--device'
 )
 declare -A player_switches=(
-    [play]='--no-images --open --twice --validate'
+    [play]='--no-images --open --twice --validate --unset'
     [bench]='--validate'
     [chart]='--validate'
     [choose]='--validate'

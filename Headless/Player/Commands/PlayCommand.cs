@@ -64,6 +64,7 @@ internal sealed class PlayCommand : IDisposable
         activity.Begin("opening the project");
         using EngineSession session = EngineSession.Start(
             options.Project, options.Assemblies, options.Device, options.Validate, console.Write, options.Pipeline);
+        StereoChoice.Apply(options.Stereo);
         if (session.PipelineNotice is { } notice) console.Write(LogType.Log, notice);
         if (options.Twice) EngineSession.RequireStaticsThatStay("--twice");
         ShaderCompiler compiler = GraphicsDevice.Compiler;

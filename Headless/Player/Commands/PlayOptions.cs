@@ -23,6 +23,7 @@ public sealed record PlayOptions
         new("--size", "WxH", "size of the pictures in pixels", DefaultSize),
         new("--out", "DIR", "folder for the output", DefaultFolder),
         CommonFlags.Device, CommonFlags.Pipeline,
+        new("--stereo", "HOW", "two eyes side by side in each picture", "one eye") { Choices = StereoChoice.Names },
         Flag.Switch("--no-images", "no pictures and no film, only figures"),
         Flag.Switch("--open", "shows the film at the end, with the desktop's program for films"),
         Flag.Switch("--twice", "plays it again without a domain reload, and fails where a picture differs"),
@@ -43,6 +44,10 @@ public sealed record PlayOptions
 
     /// <summary>Name of the render pipeline; null for the project's.</summary>
     public string? Pipeline { get; init; }
+
+    /// <summary>How two eyes are drawn; null for one.</summary>
+    public string? Stereo { get; init; }
+
     public string? ExecuteMethod { get; init; }
     public bool Images { get; init; } = true;
     public bool Validate { get; init; }
@@ -75,6 +80,7 @@ public sealed record PlayOptions
             Out = arguments.Text("--out", DefaultFolder),
             Device = arguments.Text("--device"),
             Pipeline = arguments.Text("--pipeline"),
+            Stereo = arguments.Text("--stereo"),
             ExecuteMethod = arguments.Text("--executeMethod"),
             Images = !arguments.Has("--no-images"),
             Validate = arguments.Has("--validate"),

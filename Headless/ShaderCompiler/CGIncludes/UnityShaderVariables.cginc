@@ -66,7 +66,9 @@ CBUFFER_START(UnityPerFrame)
     float4x4 unity_MatrixV;
     float4x4 unity_MatrixInvV;
     float4x4 unity_MatrixVP;
+#if !defined(STEREO_INSTANCING_ON)
     int unity_StereoEyeIndex;
+#endif
     float4 unity_ShadowColor;
 CBUFFER_END
 
@@ -88,6 +90,33 @@ CBUFFER_END
 
 UNITY_DECLARE_TEXCUBE(unity_SpecCube0);
 UNITY_DECLARE_TEXCUBE_NOSAMPLER(unity_SpecCube1);
+
+#if defined(STEREO_INSTANCING_ON)
+CBUFFER_START(UnityStereoGlobals)
+    float4x4 unity_StereoMatrixP[2];
+    float4x4 unity_StereoMatrixV[2];
+    float4x4 unity_StereoMatrixInvV[2];
+    float4x4 unity_StereoMatrixVP[2];
+    float4x4 unity_StereoCameraProjection[2];
+    float4x4 unity_StereoCameraInvProjection[2];
+    float4x4 unity_StereoWorldToCamera[2];
+    float4x4 unity_StereoCameraToWorld[2];
+    float3 unity_StereoWorldSpaceCameraPos[2];
+    float4 unity_StereoScaleOffset[2];
+CBUFFER_END
+
+static uint unity_StereoEyeIndex;
+
+#define glstate_matrix_projection unity_StereoMatrixP[unity_StereoEyeIndex]
+#define unity_MatrixV unity_StereoMatrixV[unity_StereoEyeIndex]
+#define unity_MatrixInvV unity_StereoMatrixInvV[unity_StereoEyeIndex]
+#define unity_MatrixVP unity_StereoMatrixVP[unity_StereoEyeIndex]
+#define unity_CameraProjection unity_StereoCameraProjection[unity_StereoEyeIndex]
+#define unity_CameraInvProjection unity_StereoCameraInvProjection[unity_StereoEyeIndex]
+#define unity_WorldToCamera unity_StereoWorldToCamera[unity_StereoEyeIndex]
+#define unity_CameraToWorld unity_StereoCameraToWorld[unity_StereoEyeIndex]
+#define _WorldSpaceCameraPos unity_StereoWorldSpaceCameraPos[unity_StereoEyeIndex]
+#endif
 
 #define UNITY_MATRIX_P glstate_matrix_projection
 #define UNITY_MATRIX_V unity_MatrixV

@@ -13,13 +13,14 @@ public sealed partial class FlagTableTests
     private static readonly string[] NoFolders = ["", " ", "/no/such/folder", "\n"];
     private static readonly string[] NoScenes = ["", " ", "a.txt", "a"];
     private static readonly string[] Nothing = ["", " "];
+    private static readonly string[] NoStereo = ["", "both", "Instanced"];
     private static readonly string[] NoPipelines = ["", "urp", "Universal", "builtin"];
     private static readonly string[] NoModes = ["", "editor", "-1"];
 
     private static readonly (string Command, string[] Needed, Action<string[]> Parse, (string Flag, string[] Wrong)[] Flags, string[] Switches)[] Commands =
     [
         ("play", ["--project", ".", "--scene", "a.unity"], w => PlayOptions.Parse(w),
-            [("--seconds", NoNumbers), ("--fps", NoNumbers), ("--size", NoSizes), ("--assemblies", NoFolders), ("--out", Nothing), ("--device", Nothing), ("--pipeline", NoPipelines), ("--executeMethod", Nothing)],
+            [("--seconds", NoNumbers), ("--fps", NoNumbers), ("--size", NoSizes), ("--assemblies", NoFolders), ("--out", Nothing), ("--device", Nothing), ("--pipeline", NoPipelines), ("--stereo", NoStereo), ("--executeMethod", Nothing)],
             ["--no-images", "--open", "--twice", "--validate"]),
         ("play", ["--project", "."], w => PlayOptions.Parse(w), [("--scene", NoScenes)], []),
         ("play", ["--scene", "a.unity"], w => PlayOptions.Parse(w), [("--project", NoFolders)], []),

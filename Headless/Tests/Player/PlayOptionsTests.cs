@@ -20,8 +20,9 @@ public sealed class PlayOptionsTests
     [Test]
     public void FlagsAreRead()
     {
-        PlayOptions options = Parse("--seconds", "0.5", "--fps=60", "--size", "64x48", "--no-images", "--validate", "--device", "llvmpipe", "--pipeline", "built-in");
-        Assert.That((options.Frames, options.Width, options.Height, options.Images, options.Validate, options.Device, options.Pipeline), Is.EqualTo((31, 64, 48, false, true, "llvmpipe", "built-in")));
+        PlayOptions options = Parse("--seconds", "0.5", "--fps=60", "--size", "64x48", "--no-images", "--validate", "--device", "llvmpipe", "--pipeline", "built-in", "--stereo", "instanced");
+        Assert.That((options.Frames, options.Width, options.Height, options.Images, options.Validate, options.Device), Is.EqualTo((31, 64, 48, false, true, "llvmpipe")));
+        Assert.That((options.Pipeline, options.Stereo), Is.EqualTo(("built-in", "instanced")));
     }
 
     [Test]

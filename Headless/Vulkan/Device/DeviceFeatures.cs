@@ -3,14 +3,18 @@ using Headless.Vulkan.Native;
 namespace Headless.Vulkan;
 
 /// <summary>Which features are switched on: the needed ones or a named error, and every core feature that there is.</summary>
-internal sealed record DeviceFeatures(VkPhysicalDeviceFeatures Core, bool MirrorOnce, bool Robustness2, bool Executables)
+internal sealed record DeviceFeatures(VkPhysicalDeviceFeatures Core, bool MirrorOnce, bool Robustness2, bool Executables, bool Layers)
 {
     private const string RobustnessExtension = "VK_EXT_robustness2";
+    private const string LayerExtension = "VK_EXT_shader_viewport_index_layer";
     private const string ExecutableExtension = "VK_KHR_pipeline_executable_properties";
     private const uint Version13 = (1u << 22) | (3u << 12);
 
     public IReadOnlyList<string> Extensions =>
-        [.. Robustness2 ? [RobustnessExtension] : Array.Empty<string>(), .. Executables ? [ExecutableExtension] : Array.Empty<string>()];
+    [
+        .. Robustness2 ? [RobustnessExtension] : Array.Empty<string>(), .. Executables ? [ExecutableExtension] : Array.Empty<string>(),
+        .. Layers ? [LayerExtension] : Array.Empty<string>(),
+    ];
 
     /// <summary>What a pipeline is created with.</summary>
     public VkPipelineCreateFlags PipelineFlags => Executables
@@ -42,7 +46,8 @@ internal sealed record DeviceFeatures(VkPhysicalDeviceFeatures Core, bool Mirror
         }
 
         bool exactBounds = robustness && robust.robustBufferAccess2 != 0;
-        return new DeviceFeatures(all.features, v12.samplerMirrorClampToEdge != 0, exactBounds, executables);
+        bool layers = v12.shaderOutputLayer != 0 && v12.shaderOutputViewportIndex != 0 && HasExtension(adapter.Handle, LayerExtension);
+        return new DeviceFeatures(all.features, v12.samplerMirrorClampToEdge != 0, exactBounds, executables, layers);
     }
 
     /// <summary>Accesses outside a buffer do what the device does, not what D3D11 says.</summary>
@@ -65,6 +70,7 @@ internal sealed record DeviceFeatures(VkPhysicalDeviceFeatures Core, bool Mirror
         core->features = Core;
         v12->scalarBlockLayout = 1;
         v12->samplerMirrorClampToEdge = MirrorOnce ? 1u : 0u;
+        v12->shaderOutputLayer = v12->shaderOutputViewportIndex = Layers ? 1u : 0u;
         v13->dynamicRendering = 1;
         v13->synchronization2 = 1;
         robust->robustBufferAccess2 = 1;

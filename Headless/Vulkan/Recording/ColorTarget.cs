@@ -15,7 +15,7 @@ public sealed record ColorTarget(GpuTexture Texture)
     /// <summary>Mip level drawn to.</summary>
     public int MipLevel { get; init; }
 
-    /// <summary>Array layer, cube face or 3D slice drawn to.</summary>
+    /// <summary>Array layer, cube face or 3D slice drawn to; -1 for all layers, which the vertex stage chooses from.</summary>
     public int Slice { get; init; }
 
     /// <summary>One-sample texture that receives the resolved image when drawing ends; null for none.</summary>

@@ -13,6 +13,6 @@ public sealed record DepthTarget(GpuTexture Texture)
     /// <summary>Mip level drawn to.</summary>
     public int MipLevel { get; init; }
 
-    /// <summary>Array layer or cube face drawn to.</summary>
+    /// <summary>Array layer or cube face drawn to; -1 for all layers.</summary>
     public int Slice { get; init; }
 }

@@ -66,7 +66,7 @@ internal static class RenderTargetCheck
     private static void CheckTarget(GpuTexture texture, int mip, int slice)
     {
         bool volume = texture.Description.Dimension == GpuTextureDimension.Texture3D;
-        texture.CheckSubresource(mip, volume ? 0 : slice);
+        texture.CheckSubresource(mip, volume ? 0 : Math.Max(0, slice));
         if (!texture.Description.Usage.HasFlag(TextureUse.RenderTarget))
         {
             throw new GpuException($"Texture '{texture.Name}' was not created for use as a render target.");

@@ -89,7 +89,12 @@ internal sealed unsafe class RenderingScope(CommandStream stream)
         }
     }
 
-    private static VkImageView View(GpuTexture texture, int mip, int slice) => texture.Views.Get(VkImageViewType._2d, mip, 1, slice, 1);
+    private static VkImageView View(GpuTexture texture, int mip, int slice) => slice < 0
+        ? texture.Views.Get(VkImageViewType._2dArray, mip, 1, 0, texture.Description.Layers)
+        : texture.Views.Get(VkImageViewType._2d, mip, 1, slice, 1);
+
+    private int Layers => (targets!.Colors.Count > 0 ? (targets.Colors[0].Texture, targets.Colors[0].Slice) : (targets.Depth!.Texture, targets.Depth.Slice))
+        is (GpuTexture texture, < 0) ? texture.Description.Layers : 1;
 
     private void UseTargets()
     {
@@ -128,7 +133,7 @@ internal sealed unsafe class RenderingScope(CommandStream stream)
         VkRenderingInfo info = new()
         {
             renderArea = new VkRect2D { extent = new VkExtent2D { width = (uint)Width, height = (uint)Height } },
-            layerCount = 1,
+            layerCount = (uint)Layers,
             colorAttachmentCount = (uint)count,
             pColorAttachments = colors,
             pDepthAttachment = targets.Depth is null ? null : &depth,
@@ -160,7 +165,7 @@ internal sealed unsafe class RenderingScope(CommandStream stream)
         if (target.Resolve is not null)
         {
             info.resolveMode = target.Texture.Info.Integer ? VkResolveModeFlags.SampleZero : VkResolveModeFlags.Average;
-            info.resolveImageView = View(target.Resolve, 0, 0);
+            info.resolveImageView = View(target.Resolve, 0, target.Slice);
             info.resolveImageLayout = VkImageLayout.ColorAttachmentOptimal;
         }
 

@@ -33,7 +33,7 @@ internal static unsafe class TextureCheck
             throw new GpuException($"Texture '{name}' is {size}: it has at most {1 + int.Log2(longest)} mip levels.");
         }
 
-        if ((limits.SampleCounts & d.Samples) == 0 || (d.Samples > 1 && (d.MipLevels > 1 || d.Dimension != GpuTextureDimension.Texture2D)))
+        if ((limits.SampleCounts & d.Samples) == 0 || (d.Samples > 1 && (d.MipLevels > 1 || d.Dimension is not (GpuTextureDimension.Texture2D or GpuTextureDimension.Texture2DArray))))
         {
             throw new GpuException($"Texture '{name}': {d.Samples} samples need a 2D texture without mip levels and a device with that count.");
         }

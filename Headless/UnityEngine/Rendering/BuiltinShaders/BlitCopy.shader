@@ -17,9 +17,17 @@ Shader "Hidden/BlitCopy"
             HLSLPROGRAM
             #pragma vertex Vertex
             #pragma fragment Fragment
+            #pragma multi_compile_local _ SOURCE_ARRAY
             #include "UnityCG.cginc"
 
+            #if defined(SOURCE_ARRAY)
+            Texture2DArray _MainTex;
+            float _Slice;
+            #define PLACE(uv) float3(uv, _Slice)
+            #else
             Texture2D _MainTex;
+            #define PLACE(uv) uv
+            #endif
             SamplerState sampler_MainTex;
             float4 _MainTex_ST;
             float4 _Color;
@@ -49,7 +57,7 @@ Shader "Hidden/BlitCopy"
 
             float4 Fragment(Varyings i) : SV_Target
             {
-                return _MainTex.Sample(sampler_MainTex, i.uv);
+                return _MainTex.Sample(sampler_MainTex, PLACE(i.uv));
             }
             ENDHLSL
         }

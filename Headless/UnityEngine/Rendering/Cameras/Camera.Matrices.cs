@@ -1,3 +1,5 @@
+using Headless.Engine;
+
 namespace UnityEngine;
 
 public sealed partial class Camera
@@ -30,7 +32,7 @@ public sealed partial class Camera
 
     public Matrix4x4 cullingMatrix
     {
-        get => cullingOverride ?? projectionMatrix * worldToCameraMatrix;
+        get => cullingOverride ?? (stereoEnabled ? EyeHull.Of(this) : projectionMatrix * worldToCameraMatrix);
         set => cullingOverride = value;
     }
 

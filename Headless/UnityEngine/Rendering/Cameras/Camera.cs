@@ -43,7 +43,6 @@ public sealed partial class Camera : Behaviour
     public RenderingPath actualRenderingPath => RenderingPath.Forward;
     public OpaqueSortMode opaqueSortMode { get; set; }
     public TransparencySortMode transparencySortMode { get; set; }
-    public bool stereoEnabled => false;
     public RenderTexture? activeTexture => targetTexture;
 
     public Rect rect
@@ -77,7 +76,9 @@ public sealed partial class Camera : Behaviour
         set => aspectOverride = value;
     }
 
-    private (int Width, int Height) TargetSize => targetTexture != null ? (targetTexture.width, targetTexture.height) : (ScreenTarget.Width, ScreenTarget.Height);
+    private (int Width, int Height) TargetSize => targetTexture != null
+        ? (targetTexture.width, targetTexture.height)
+        : stereoEnabled ? (Stereo.EyeWidth, Stereo.EyeHeight) : (ScreenTarget.Width, ScreenTarget.Height);
 
     public static int GetAllCameras(Camera[] cameras)
     {

@@ -29,7 +29,7 @@ internal sealed class CommandContext(DrawTarget? cameraTarget, NamedTemporaries 
         if (id.Builtin is BuiltinRenderTextureType.Depth)
         {
             DrawTarget whole = CameraTarget ?? DrawTarget.Screen;
-            return new DrawTarget { Depth = whole.Depth, Flipped = whole.Flipped };
+            return new DrawTarget { Depth = whole.Depth, Slice = whole.Slice, Flipped = whole.Flipped };
         }
 
         if (id.Builtin is BuiltinRenderTextureType.None)
@@ -44,7 +44,7 @@ internal sealed class CommandContext(DrawTarget? cameraTarget, NamedTemporaries 
 
         if (Texture(id) is RenderTexture texture)
         {
-            return DrawTarget.Of(texture, id.MipLevel, Math.Max(0, id.Slice));
+            return DrawTarget.Of(texture, id.MipLevel, id.Slice);
         }
 
         Debug.LogError($"CommandBuffer: render target {id} is not set or is no render texture.");

@@ -6,24 +6,39 @@ namespace Headless.Engine;
 internal static class Blitter
 {
     private static readonly int ScaleOffset = ShaderNames.Id("_MainTex_ST");
+    private static readonly int SourceSlice = ShaderNames.Id("_Slice");
     private static Material? copy;
+    private static Material? copySlice;
     private static Mesh? quad;
 
-    public static void Blit(Texture? source, DrawTarget? target, Material? material, int pass, Vector2 scale, Vector2 offset, Rect? viewport = null)
+    /// <param name="slice">Of a source that is an array, where the target is none; each slice of the target has that of the source.</param>
+    public static void Blit(
+        Texture? source, DrawTarget? target, Material? material, int pass, Vector2 scale, Vector2 offset, Rect? viewport = null, int slice = 0)
     {
         if (target is null)
         {
             return;
         }
 
+        if (target.IsLayered)
+        {
+            for (int i = 0; i < target.Any.Description.Layers; i++)
+            {
+                Blit(source, target.Layer(i), material, pass, scale, offset, viewport, i);
+            }
+
+            return;
+        }
+
         bool plain = material == null;
         if (plain)
         {
-            material = Copy;
+            material = source is { dimension: UnityEngine.Rendering.TextureDimension.Tex2DArray } ? CopySlice : Copy;
             pass = 0;
         }
 
         var block = new PropertySheet();
+        block.SetFloat(SourceSlice, slice);
         if (source != null)
         {
             block.SetTexture(BuiltinNames.MainTex, new TextureSlot(source));
@@ -58,7 +73,7 @@ internal static class Blitter
         ViewState.Set(view, projection);
     }
 
-    public static void Reset() => (copy, quad) = (null, null);
+    public static void Reset() => (copy, copySlice, quad) = (null, null, null);
 
     private static Material Copy
     {
@@ -70,6 +85,20 @@ internal static class Blitter
             }
 
             return copy;
+        }
+    }
+
+    private static Material CopySlice
+    {
+        get
+        {
+            if (copySlice == null)
+            {
+                copySlice = new Material(Copy) { hideFlags = HideFlags.HideAndDontSave };
+                copySlice.EnableKeyword("SOURCE_ARRAY");
+            }
+
+            return copySlice;
         }
     }
 

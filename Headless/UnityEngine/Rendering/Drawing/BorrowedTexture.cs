@@ -18,6 +18,9 @@ internal sealed class BorrowedTexture : Texture
         wrapMode = TextureWrapMode.Clamp;
     }
 
+    public override TextureDimension dimension =>
+        texture.Description.Dimension == GpuTextureDimension.Texture2DArray ? TextureDimension.Tex2DArray : TextureDimension.Tex2D;
+
     internal override (int Width, int Height) Size => (texture.Description.Width, texture.Description.Height);
     internal override bool BottomFirst => bottomFirst;
 

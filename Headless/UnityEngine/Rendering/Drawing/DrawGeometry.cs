@@ -14,7 +14,8 @@ internal abstract class DrawGeometry
     /// <summary>Makes and uploads what the draw needs; before drawing begins. False when there is nothing to draw.</summary>
     public virtual bool Prepare() => true;
 
-    public abstract void Record(CommandRecorder recorder, GpuRenderPipeline pipeline, ResourceBindings bindings);
+    /// <param name="copies">Of each instance; those that a buffer counts have one.</param>
+    public abstract void Record(CommandRecorder recorder, GpuRenderPipeline pipeline, ResourceBindings bindings, int copies);
 
     public static GpuTopology Convert(MeshTopology topology) => topology switch
     {

@@ -15,6 +15,8 @@ internal sealed class DrawTarget
 
     public GpuTexture? Depth { get; init; }
     public int MipLevel { get; init; }
+
+    /// <summary>-1 for all of an array.</summary>
     public int Slice { get; init; }
 
     /// <summary>
@@ -29,6 +31,8 @@ internal sealed class DrawTarget
     public int Samples => Any.Description.Samples;
     public GpuFormat DepthFormat => Depth?.Description.Format ?? GpuFormat.None;
 
+    public bool IsLayered => Slice < 0;
+
     public static DrawTarget Screen => new() { Colors = [ScreenTarget.Texture], Resolves = [null] };
 
     public static DrawTarget Of(RenderTexture texture, int mipLevel = 0, int slice = 0)
@@ -41,10 +45,21 @@ internal sealed class DrawTarget
             Resolves = color is null ? [] : [texture.ResolveTarget],
             Depth = mipLevel == 0 ? depth : null,
             MipLevel = mipLevel,
-            Slice = slice,
+            Slice = slice < 0 && texture.dimension != UnityEngine.Rendering.TextureDimension.Tex2DArray ? 0 : slice,
             Flipped = true,
         };
     }
+
+    /// <summary>One slice of it.</summary>
+    public DrawTarget Layer(int slice) => new()
+    {
+        Colors = Colors,
+        Resolves = Resolves,
+        Depth = Depth,
+        MipLevel = MipLevel,
+        Slice = slice,
+        Flipped = Flipped,
+    };
 
     /// <summary>A viewport from a rectangle with its origin at the bottom left of the picture.</summary>
     public GpuViewport Viewport(Rect rect) =>

@@ -51,7 +51,26 @@ internal static class Drawer
     /// <param name="overrides">Takes the place of the pass's own state.</param>
     public static void DrawPass(
         Material material, ShaderProgramSet programs, PassProgram pass, PropertySheet? block, DrawGeometry geometry, in Matrix4x4 matrix,
-        in UnityEngine.Rendering.RenderStateBlock? overrides)
+        UnityEngine.Rendering.RenderStateBlock? overrides)
+    {
+        if (LayeredDraws.AreOn)
+        {
+            DrawLayered(material, programs, pass, block, geometry, matrix, overrides);
+        }
+        else
+        {
+            DrawPass(material, programs, pass, block, geometry, matrix, overrides, 1);
+        }
+    }
+
+    private static void DrawLayered(
+        Material material, ShaderProgramSet programs, PassProgram pass, PropertySheet? block, DrawGeometry geometry, Matrix4x4 matrix,
+        UnityEngine.Rendering.RenderStateBlock? overrides) =>
+        LayeredDraws.Draw(pass, copies => DrawPass(material, programs, pass, block, geometry, matrix, overrides, copies));
+
+    private static void DrawPass(
+        Material material, ShaderProgramSet programs, PassProgram pass, PropertySheet? block, DrawGeometry geometry, in Matrix4x4 matrix,
+        UnityEngine.Rendering.RenderStateBlock? overrides, int copies)
     {
         PassVariant? variant = pass.Variant(material.Keywords.Set);
         if (variant is null)
@@ -83,7 +102,7 @@ internal static class Drawer
         VertexBinding.Prepare();
         TargetState.Begin();
         VertexBinding.SetBuffers(GraphicsDevice.Recorder, variant, geometry.Mesh);
-        geometry.Record(GraphicsDevice.Recorder, pipeline, bindings);
+        geometry.Record(GraphicsDevice.Recorder, pipeline, bindings, copies);
     }
 
     public static void Reset()

@@ -39,7 +39,7 @@ internal sealed class IndirectGeometry(
         return mesh is null || mesh.Device.IndexBuffer is not null;
     }
 
-    public override void Record(CommandRecorder recorder, GpuRenderPipeline pipeline, ResourceBindings bindings)
+    public override void Record(CommandRecorder recorder, GpuRenderPipeline pipeline, ResourceBindings bindings, int copies)
     {
         if (mesh is not null)
         {

@@ -21,10 +21,10 @@ internal sealed class MeshGeometry(Mesh mesh, int subMesh, int instances) : Draw
         return mesh.Device.IndexBuffer is not null && mesh.Device.Range(subMesh).Count > 0;
     }
 
-    public override void Record(CommandRecorder recorder, GpuRenderPipeline pipeline, ResourceBindings bindings)
+    public override void Record(CommandRecorder recorder, GpuRenderPipeline pipeline, ResourceBindings bindings, int copies)
     {
         (int start, int count) = mesh.Device.Range(subMesh);
         recorder.SetIndexBuffer(mesh.Device.IndexBuffer!.Gpu, 0, mesh.Device.Indices32);
-        recorder.DrawIndexed(pipeline, bindings, (uint)count, (uint)instances, (uint)start, mesh.SubMeshes[subMesh].baseVertex);
+        recorder.DrawIndexed(pipeline, bindings, (uint)count, (uint)(instances * copies), (uint)start, mesh.SubMeshes[subMesh].baseVertex);
     }
 }

@@ -40,7 +40,10 @@ internal readonly record struct PassState(
             RasterState raster = block.rasterState;
             state = state with
             {
-                Cull = (int)raster.cullingMode, ZClip = raster.depthClip, OffsetFactor = raster.offsetFactor, OffsetUnits = raster.offsetUnits,
+                Cull = (int)raster.cullingMode,
+                ZClip = raster.depthClip,
+                OffsetFactor = raster.offsetFactor,
+                OffsetUnits = raster.offsetUnits,
             };
         }
 

@@ -27,21 +27,21 @@ internal sealed class ProceduralGeometry(
         return count > 0 && instances > 0 && indexBuffer is null or { IsValid: true };
     }
 
-    public override void Record(CommandRecorder recorder, GpuRenderPipeline pipeline, ResourceBindings bindings)
+    public override void Record(CommandRecorder recorder, GpuRenderPipeline pipeline, ResourceBindings bindings, int copies)
     {
         if (quadIndices is not null)
         {
             recorder.SetIndexBuffer(quadIndices.Gpu, 0, true);
-            recorder.DrawIndexed(pipeline, bindings, (uint)(count / 4 * 6), (uint)instances);
+            recorder.DrawIndexed(pipeline, bindings, (uint)(count / 4 * 6), (uint)(instances * copies));
         }
         else if (indexBuffer is not null)
         {
             recorder.SetIndexBuffer(indexBuffer.Gpu, 0, indexBuffer.Stride == 4);
-            recorder.DrawIndexed(pipeline, bindings, (uint)count, (uint)instances, (uint)startIndex);
+            recorder.DrawIndexed(pipeline, bindings, (uint)count, (uint)(instances * copies), (uint)startIndex);
         }
         else
         {
-            recorder.Draw(pipeline, bindings, (uint)count, (uint)instances);
+            recorder.Draw(pipeline, bindings, (uint)count, (uint)(instances * copies));
         }
     }
 }

@@ -46,6 +46,7 @@ internal static class ViewState
         parameters.x = flipped ? -1f : 1f;
         sheet.SetVector(BuiltinNames.ProjectionParams, parameters);
 
+        EyeViews.Apply(flipped);
         if (FollowsTarget)
         {
             ApplyCamera();

@@ -16,7 +16,7 @@ internal sealed class CameraTargets
         bool wholeTarget = camera.pixelWidth == final.Width && camera.pixelHeight == final.Height;
         int samples = Samples(camera);
         CameraFrame frame;
-        if (ImageEffects.Of(camera).Count > 0 || !wholeTarget)
+        if (EyeViews.Camera is null && (ImageEffects.Of(camera).Count > 0 || !wholeTarget))
         {
             RenderTexture intermediate = RenderTexture.GetTemporary(new RenderTextureDescriptor(camera.pixelWidth, camera.pixelHeight, RenderTextureFormat.ARGB32, 24)
             {
@@ -35,7 +35,8 @@ internal sealed class CameraTargets
     }
 
     /// <summary>The camera's texture, or the screen with its own depth.</summary>
-    public DrawTarget Of(Camera camera) => camera.targetTexture != null ? DrawTarget.Of(camera.targetTexture) : ScreenBuffers(Samples(camera));
+    public DrawTarget Of(Camera camera) => camera.targetTexture != null ? DrawTarget.Of(camera.targetTexture)
+        : Stereo.Draws(camera) ? EyeTextures.Target : ScreenBuffers(Samples(camera));
 
     /// <summary>Runs image effects, or copies the intermediate picture to where the camera's rectangle lies.</summary>
     public void Finish(Camera camera, CameraFrame frame)
@@ -56,14 +57,15 @@ internal sealed class CameraTargets
         }
         else
         {
-            ImageEffects.Run(camera, picture, camera.targetTexture, final);
+            ImageEffects.Run(camera, picture, Stereo.Draws(camera) ? EyeTextures.Current : camera.targetTexture, final);
         }
     }
 
     public void Reset() => (color, depth, size) = (null, null, default);
 
     private static DrawTarget Final(Camera camera) =>
-        camera.targetTexture != null ? DrawTarget.Of(camera.targetTexture) : DrawTarget.Screen;
+        camera.targetTexture != null ? DrawTarget.Of(camera.targetTexture)
+        : Stereo.Draws(camera) ? EyeTextures.Target : DrawTarget.Screen;
 
     private static int Samples(Camera camera) => camera.allowMSAA ? Samples(QualitySettings.antiAliasing) : 1;
 

@@ -8,7 +8,15 @@ internal readonly record struct CameraView(
 {
     public Vector3 Forward => -(Vector3)View.GetRow(2);
 
-    public static CameraView Of(Camera camera) => new(
+    public static CameraView Of(Camera camera) => Stereo.EyeOf(camera) is { } eye ? Of(camera, eye) : OfMiddle(camera);
+
+    public static CameraView Of(Camera camera, Camera.StereoscopicEye eye)
+    {
+        Matrix4x4 view = camera.GetStereoViewMatrix(eye);
+        return OfMiddle(camera) with { Position = view.inverse.GetColumn(3), View = view, Projection = camera.GetStereoProjectionMatrix(eye) };
+    }
+
+    private static CameraView OfMiddle(Camera camera) => new(
         camera.transform.position, camera.worldToCameraMatrix, camera.projectionMatrix, camera.nearClipPlane, camera.farClipPlane,
         camera.orthographic, camera.orthographicSize, camera.aspect);
 }

@@ -16,18 +16,22 @@ internal sealed class DepthTexture
             return;
         }
 
-        if (texture == null || texture.width != camera.pixelWidth || texture.height != camera.pixelHeight)
+        bool both = EyeViews.Camera is not null;
+        TextureDimension dimension = both ? TextureDimension.Tex2DArray : TextureDimension.Tex2D;
+        if (texture == null || texture.width != camera.pixelWidth || texture.height != camera.pixelHeight || texture.dimension != dimension)
         {
             texture?.Release();
             texture = new RenderTexture(camera.pixelWidth, camera.pixelHeight, 32, RenderTextureFormat.Depth)
             {
                 name = "Camera depth texture",
+                dimension = dimension,
+                volumeDepth = both ? 2 : 1,
                 filterMode = FilterMode.Point,
                 hideFlags = HideFlags.HideAndDontSave,
             };
         }
 
-        TargetState.Set(DrawTarget.Of(texture));
+        TargetState.Set(DrawTarget.Of(texture, 0, RenderTargetIdentifier.AllDepthSlices));
         TargetState.Clear(false, true, default, 0f);
         GlobalProperties.Sheet.SetVector(BuiltinNames.LightShadowBias, default);
         CameraSettings.Apply(camera);

@@ -17,6 +17,18 @@ internal sealed class ForwardRenderer
         CameraMessages.Send(camera, "OnPreCull");
         List<DrawRequest> all = SceneDraws.Collect();
         List<VisibleDraw> visible = SceneDraws.Visible(all, camera);
+        Stereo.ForEachPass(camera, () => Render(camera, all, visible));
+    }
+
+    public void Reset()
+    {
+        shadows.Reset();
+        depthTexture.Reset();
+        targets.Reset();
+    }
+
+    private void Render(Camera camera, List<DrawRequest> all, List<VisibleDraw> visible)
+    {
         Camera.onPreRender?.Invoke(camera);
         CameraMessages.Send(camera, "OnPreRender");
 
@@ -37,13 +49,6 @@ internal sealed class ForwardRenderer
         RunEvent(camera, frame, CameraEvent.AfterImageEffects);
         RunEvent(camera, frame, CameraEvent.AfterEverything);
         TargetState.Finish();
-    }
-
-    public void Reset()
-    {
-        shadows.Reset();
-        depthTexture.Reset();
-        targets.Reset();
     }
 
     private static void DrawScene(Camera camera, CameraFrame frame, List<VisibleDraw> visible, bool shadowed)

@@ -56,6 +56,7 @@ internal static class FrameRenderer
     {
         FinalTarget = null;
         Forward.Reset();
+        EyeTextures.Reset();
         PipelineRunner.Reset();
         StateOverrides.Reset();
         DefaultReflection.Reset();

@@ -22,18 +22,29 @@ internal static class Sky
             return;
         }
 
-        Matrix4x4 projection = ViewState.Projection;
-        if (GlobalProperties.Sheet.GetVector(BuiltinNames.OrthoParams).w > 0.5f)
+        if (LayeredDraws.AreOn)
         {
-            projection = Matrix4x4.Perspective(OneDirection, 1f, 0.1f, 10f);
+            EyeSky.Draw(material);
+            return;
         }
 
-        // z = w is the far plane, whatever the distance.
-        projection.SetRow(2, projection.GetRow(3));
+        Matrix4x4 projection = AtFarPlane(ViewState.Projection);
         bool flipped = TargetState.Current?.Flipped ?? false;
         GlobalProperties.Sheet.SetMatrix(BuiltinNames.MatrixVP, ViewState.Gpu(projection, flipped) * ViewState.View);
         Matrix4x4 around = Matrix4x4.Translate(ViewState.View.inverse.GetColumn(3));
         Drawer.Draw(material, -1, null, new MeshGeometry(BuiltinMeshes.Get(PrimitiveType.Cube), 0, 1), around);
         ViewState.Apply();
+    }
+
+    /// <summary>z = w, whatever the distance.</summary>
+    public static Matrix4x4 AtFarPlane(Matrix4x4 projection)
+    {
+        if (GlobalProperties.Sheet.GetVector(BuiltinNames.OrthoParams).w > 0.5f)
+        {
+            projection = Matrix4x4.Perspective(OneDirection, 1f, 0.1f, 10f);
+        }
+
+        projection.SetRow(2, projection.GetRow(3));
+        return projection;
     }
 }

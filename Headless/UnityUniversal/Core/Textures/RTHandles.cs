@@ -2,9 +2,9 @@ namespace UnityEngine.Rendering;
 
 public static class RTHandles
 {
-    public static RTHandle Alloc(Texture tex) => new(tex as RenderTexture, tex is RenderTexture ? null : tex, new RenderTargetIdentifier(tex), tex.name, false);
+    public static RTHandle Alloc(Texture tex) => new(tex as RenderTexture, tex is RenderTexture ? null : tex, All(tex), tex.name, false);
 
-    public static RTHandle Alloc(RenderTexture tex, bool transferOwnership = false) => new(tex, null, new RenderTargetIdentifier(tex), tex.name, transferOwnership);
+    public static RTHandle Alloc(RenderTexture tex, bool transferOwnership = false) => new(tex, null, All(tex), tex.name, transferOwnership);
 
     public static RTHandle Alloc(RenderTargetIdentifier tex) => Alloc(tex, string.Empty);
 
@@ -17,6 +17,10 @@ public static class RTHandles
         var texture = new RenderTexture(descriptor) { name = name, filterMode = filterMode, wrapMode = wrapMode, hideFlags = HideFlags.HideAndDontSave };
         return Alloc(texture, true);
     }
+
+    private static RenderTargetIdentifier All(Texture tex) => tex.dimension == TextureDimension.Tex2DArray
+        ? new RenderTargetIdentifier(tex, 0, CubemapFace.Unknown, RenderTargetIdentifier.AllDepthSlices)
+        : new RenderTargetIdentifier(tex);
 
     public static void Release(RTHandle rth) => rth?.Release();
 

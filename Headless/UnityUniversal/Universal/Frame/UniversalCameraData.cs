@@ -30,8 +30,8 @@ public class UniversalCameraData : ContextItem
     public bool resolveFinalTarget;
     public bool xrRendering;
 
-    private Matrix4x4 view;
-    private Matrix4x4 projection;
+    private readonly Matrix4x4[] views = new Matrix4x4[2];
+    private readonly Matrix4x4[] projections = new Matrix4x4[2];
 
     public bool isGameCamera => cameraType == CameraType.Game;
     public bool isSceneViewCamera => cameraType == CameraType.SceneView;
@@ -39,17 +39,18 @@ public class UniversalCameraData : ContextItem
     public int scaledWidth => Math.Max(1, (int)(PixelWidth * renderScale));
     public int scaledHeight => Math.Max(1, (int)(PixelHeight * renderScale));
 
+    internal int ViewCount => Math.Max(1, cameraTargetDescriptor.volumeDepth);
     internal Rect PixelRect { get; set; }
     internal int PixelWidth => (int)PixelRect.width;
     internal int PixelHeight => (int)PixelRect.height;
     internal float AspectRatio => PixelRect.width / PixelRect.height;
 
-    public Matrix4x4 GetViewMatrix(int viewIndex = 0) => view;
+    public Matrix4x4 GetViewMatrix(int viewIndex = 0) => views[viewIndex];
 
-    public Matrix4x4 GetProjectionMatrix(int viewIndex = 0) => projection;
+    public Matrix4x4 GetProjectionMatrix(int viewIndex = 0) => projections[viewIndex];
 
     /// <summary>As for the target that the camera draws into: upside down for textures.</summary>
-    public Matrix4x4 GetGPUProjectionMatrix(int viewIndex = 0) => GL.GetGPUProjectionMatrix(projection, IsCameraProjectionMatrixFlipped());
+    public Matrix4x4 GetGPUProjectionMatrix(int viewIndex = 0) => GL.GetGPUProjectionMatrix(projections[viewIndex], IsCameraProjectionMatrixFlipped());
 
     public bool IsCameraProjectionMatrixFlipped() => SystemInfo.graphicsUVStartsAtTop && renderer.DrawsIntoTexture(this);
 
@@ -61,5 +62,6 @@ public class UniversalCameraData : ContextItem
         (cameraType, renderType, antialiasing, renderScale) = (default, default, default, 1f);
     }
 
-    internal void SetMatrices(Matrix4x4 viewMatrix, Matrix4x4 projectionMatrix) => (view, projection) = (viewMatrix, projectionMatrix);
+    internal void SetMatrices(Matrix4x4 view, Matrix4x4 projection, int viewIndex = 0) =>
+        (views[viewIndex], projections[viewIndex]) = (view, projection);
 }

@@ -29,15 +29,23 @@ internal sealed class LightClusters : IDisposable
     {
         (List<Sphere> items, int localLights, int directional) = Items(lights, results);
         int words = (items.Count + 31) / 32;
+        int views = camera.ViewCount;
         int width = SmallestTile;
-        while (TilesAcross(camera.PixelWidth, width) * TilesAcross(camera.PixelHeight, width) * words > TileWords)
+        while (TilesAcross(camera.PixelWidth, width) * TilesAcross(camera.PixelHeight, width) * words * views > TileWords)
         {
             width <<= 1;
         }
 
         var grid = new Vector2Int(TilesAcross(camera.PixelWidth, width), TilesAcross(camera.PixelHeight, width));
-        var slices = new DepthSlices(camera.camera, words);
-        Fill(camera, items, localLights, words, grid, width, slices);
+        var slices = new DepthSlices(camera.camera, words, views);
+        Array.Clear(bins);
+        Array.Clear(tiles);
+        for (int view = 0; view < views; view++)
+        {
+            Fill(camera, view, items, localLights, words, grid, width, slices);
+        }
+
+
         Upload(cmd);
         cmd.SetGlobalVector(Params0, new Vector4(slices.Scale, slices.Offset, localLights, directional));
         cmd.SetGlobalVector(Params1, new Vector4((float)camera.PixelWidth / width, (float)camera.PixelHeight / width, grid.x, words));
@@ -88,32 +96,32 @@ internal sealed class LightClusters : IDisposable
     }
 
     private void Fill(
-        UniversalCameraData camera, List<Sphere> items, int lights, int words, Vector2Int grid, int tileWidth, in DepthSlices slices)
+        UniversalCameraData camera, int view, List<Sphere> items, int lights, int words, Vector2Int grid, int tileWidth, in DepthSlices slices)
     {
-        Array.Clear(bins);
-        Array.Clear(tiles);
+        int binStart = view * slices.Count;
+        int tileStart = view * grid.x * grid.y;
         for (int bin = 0; bin < slices.Count; bin++)
         {
             // Least above greatest: empty.
-            bins[bin * (HeaderWords + words)] = ushort.MaxValue;
-            bins[(bin * (HeaderWords + words)) + 1] = ushort.MaxValue;
+            bins[(binStart + bin) * (HeaderWords + words)] = ushort.MaxValue;
+            bins[((binStart + bin) * (HeaderWords + words)) + 1] = ushort.MaxValue;
         }
 
         for (int i = 0; i < items.Count; i++)
         {
-            Vector3 at = camera.GetViewMatrix().MultiplyPoint3x4(items[i].Center);
+            Vector3 at = camera.GetViewMatrix(view).MultiplyPoint3x4(items[i].Center);
             (int first, int last) = slices.Of(-at.z - items[i].Radius, -at.z + items[i].Radius);
             for (int bin = first; bin <= last; bin++)
             {
-                Mark(bin * (HeaderWords + words), i < lights ? 0 : 1, i);
+                Mark((binStart + bin) * (HeaderWords + words), i < lights ? 0 : 1, i);
             }
 
-            RectInt covered = Cover(camera, at, items[i].Radius, grid, tileWidth);
+            RectInt covered = Cover(camera, view, at, items[i].Radius, grid, tileWidth);
             for (int y = covered.yMin; y <= covered.yMax; y++)
             {
                 for (int x = covered.xMin; x <= covered.xMax; x++)
                 {
-                    tiles[(((y * grid.x) + x) * words) + (i / 32)] |= 1u << (i % 32);
+                    tiles[((tileStart + (y * grid.x) + x) * words) + (i / 32)] |= 1u << (i % 32);
                 }
             }
         }
@@ -129,9 +137,9 @@ internal sealed class LightClusters : IDisposable
     }
 
     /// <summary>Tiles that the sphere may show in, both ends included; row 0 is the picture's lowest.</summary>
-    private static RectInt Cover(UniversalCameraData camera, Vector3 at, float radius, Vector2Int grid, int tileWidth)
+    private static RectInt Cover(UniversalCameraData camera, int view, Vector3 at, float radius, Vector2Int grid, int tileWidth)
     {
-        Matrix4x4 projection = camera.GetProjectionMatrix();
+        Matrix4x4 projection = camera.GetProjectionMatrix(view);
         (float left, float right) = (-1f, 1f);
         (float bottom, float top) = (-1f, 1f);
         float near = -at.z - radius;
@@ -186,10 +194,10 @@ internal sealed class LightClusters : IDisposable
         private readonly bool isOrthographic;
         private readonly float near;
 
-        public DepthSlices(Camera camera, int words)
+        public DepthSlices(Camera camera, int words, int views)
         {
             (isOrthographic, near) = (camera.orthographic, camera.nearClipPlane);
-            Scale = BinWords / ((Along(camera.farClipPlane) - Along(near)) * (HeaderWords + words));
+            Scale = BinWords / views / ((Along(camera.farClipPlane) - Along(near)) * (HeaderWords + words));
             Offset = -Along(near) * Scale;
             Count = Math.Max(0, (int)((Along(camera.farClipPlane) * Scale) + Offset));
         }

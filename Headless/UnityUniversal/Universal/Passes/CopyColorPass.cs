@@ -17,6 +17,8 @@ internal static class CopyColorPass
         int divisor = downsampling switch { Downsampling.None => 1, Downsampling._2xBilinear => 2, _ => 4 };
         resources.cameraOpaqueTexture = graph.CreateTexture(new TextureDesc(Math.Max(1, camera.width / divisor), Math.Max(1, camera.height / divisor))
         {
+            slices = camera.volumeDepth,
+            dimension = camera.dimension,
             format = camera.graphicsFormat,
             name = "_CameraOpaqueTexture",
             filterMode = downsampling == Downsampling.None ? FilterMode.Point : FilterMode.Bilinear,

@@ -14,7 +14,9 @@ internal static class CameraSetup
         UniversalAdditionalCameraData? additional, bool isLast)
     {
         (data.camera, data.baseCamera, data.renderer) = (camera, baseCamera, renderer);
-        (data.cameraType, data.targetTexture, data.PixelRect) = (baseCamera.cameraType, baseCamera.targetTexture, baseCamera.pixelRect);
+        data.xrRendering = EyePass.Views > 0;
+        data.targetTexture = data.xrRendering ? EyePass.Target : baseCamera.targetTexture;
+        (data.cameraType, data.PixelRect) = (baseCamera.cameraType, baseCamera.pixelRect);
         data.isDefaultViewport = baseCamera.rect is { x: 0f, y: 0f, width: >= 1f, height: >= 1f };
         data.isHdrEnabled = baseCamera.allowHDR && settings.supportsHDR;
         bool isUnscaled = baseCamera.cameraType != CameraType.Game || Mathf.Abs(1f - settings.renderScale) < ScaleThreshold;
@@ -51,16 +53,20 @@ internal static class CameraSetup
         }
 
         data.resolveFinalTarget = isLast;
-        data.SetMatrices(camera.worldToCameraMatrix, Projection(data, camera));
-        data.worldSpaceCameraPos = camera.transform.position;
+        data.SetMatrices(camera.worldToCameraMatrix, Projection(data, camera, camera.projectionMatrix));
+        for (int i = 0; i < EyePass.Views; i++)
+        {
+            data.SetMatrices(EyePass.View(camera, i), Projection(data, camera, EyePass.Projection(camera, i)), i);
+        }
+
+        data.worldSpaceCameraPos = EyePass.Views == 1 ? data.GetViewMatrix().inverse.GetColumn(3) : camera.transform.position;
         data.backgroundColor = QualitySettings.activeColorSpace == ColorSpace.Linear ? camera.backgroundColor.linear : camera.backgroundColor;
         return data;
     }
 
     /// <summary>Overlay cameras draw into the base camera's rectangle, and so with its aspect ratio.</summary>
-    private static Matrix4x4 Projection(UniversalCameraData data, Camera camera)
+    private static Matrix4x4 Projection(UniversalCameraData data, Camera camera, Matrix4x4 projection)
     {
-        Matrix4x4 projection = camera.projectionMatrix;
         if (data.renderType == CameraRenderType.Overlay && !camera.orthographic && data.PixelRect != camera.pixelRect)
         {
             projection.m00 = projection.m00 * camera.aspect / data.AspectRatio;
@@ -72,14 +78,16 @@ internal static class CameraSetup
     private static RenderTextureDescriptor Descriptor(UniversalCameraData data, UniversalRenderPipelineAsset settings)
     {
         int samples = 1;
-        if (data.baseCamera.allowMSAA && settings.msaaSampleCount > 1)
+        if (EyePass.Views < 2 && data.baseCamera.allowMSAA && settings.msaaSampleCount > 1)
         {
-            samples = data.targetTexture != null ? data.targetTexture.antiAliasing : settings.msaaSampleCount;
+            samples = data.baseCamera.targetTexture != null ? data.baseCamera.targetTexture.antiAliasing : settings.msaaSampleCount;
         }
 
         var desc = new RenderTextureDescriptor(data.scaledWidth, data.scaledHeight, ColorFormat(data.isHdrEnabled, settings), GraphicsFormat.D32_SFloat)
         {
             msaaSamples = Math.Max(1, samples),
+            volumeDepth = Math.Max(1, EyePass.Views),
+            dimension = EyePass.Views > 1 ? TextureDimension.Tex2DArray : TextureDimension.Tex2D,
         };
         desc.msaaSamples = SystemInfo.GetRenderTextureSupportedMSAASampleCount(desc);
         return desc;

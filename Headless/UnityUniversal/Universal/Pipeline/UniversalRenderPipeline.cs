@@ -79,6 +79,11 @@ public sealed class UniversalRenderPipeline : RenderPipeline
             return;
         }
 
+        EyePass.ForEach(camera, () => RenderStack(context, camera, data));
+    }
+
+    private void RenderStack(ScriptableRenderContext context, Camera camera, UniversalAdditionalCameraData? data)
+    {
         List<Camera> overlays = data != null ? Overlays(camera, data) : [];
         Draw(context, camera, camera, data, overlays.Count == 0);
         foreach (Camera overlay in overlays)

@@ -34,7 +34,7 @@ internal sealed class StackTargets : IDisposable
     {
         RenderTexture? there = color?.rt;
         if (there != null && there.width == desc.width && there.height == desc.height && there.antiAliasing == desc.msaaSamples
-            && there.graphicsFormat == desc.graphicsFormat)
+            && there.graphicsFormat == desc.graphicsFormat && there.volumeDepth == desc.volumeDepth)
         {
             return;
         }
@@ -43,7 +43,8 @@ internal sealed class StackTargets : IDisposable
         RenderTextureDescriptor colors = desc;
         colors.depthBufferBits = 0;
         color = RTHandles.Alloc(colors, FilterMode.Bilinear, TextureWrapMode.Clamp, name: "_CameraTargetAttachmentA");
-        RenderTextureDescriptor depths = new(desc.width, desc.height, Experimental.Rendering.GraphicsFormat.None, desc.depthStencilFormat) { msaaSamples = desc.msaaSamples };
+        RenderTextureDescriptor depths = desc;
+        depths.graphicsFormat = Experimental.Rendering.GraphicsFormat.None;
         depth = RTHandles.Alloc(depths, FilterMode.Point, TextureWrapMode.Clamp, name: "_CameraDepthAttachment");
     }
 }

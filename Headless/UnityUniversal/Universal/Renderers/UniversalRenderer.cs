@@ -150,7 +150,7 @@ public sealed class UniversalRenderer : ScriptableRenderer
         bool asked = rendererFeatures.Any(f => f.isActive) && settings.intermediateTextureMode == IntermediateTextureMode.Always;
         asked |= activeRenderPassQueue.Any(p => p.requiresIntermediateTexture);
         asked |= inputs.Color || !camera.resolveFinalTarget || !camera.isDefaultViewport || camera.cameraTargetDescriptor.msaaSamples > 1;
-        return asked || (camera.targetTexture == null && (camera.renderScale != 1f || camera.isHdrEnabled));
+        return asked || ((camera.targetTexture == null || camera.xrRendering) && (camera.renderScale != 1f || camera.isHdrEnabled));
     }
 
     private void Targets(RenderGraph graph, ContextContainer frame, in PassInputs inputs, bool depthFormat)
@@ -170,6 +170,8 @@ public sealed class UniversalRenderer : ScriptableRenderer
         {
             var depth = new TextureDesc(desc.width, desc.height)
             {
+                slices = desc.volumeDepth,
+                dimension = desc.dimension,
                 format = depthFormat ? GraphicsFormat.D32_SFloat : GraphicsFormat.R32_SFloat,
                 name = "_CameraDepthTexture",
                 clearBuffer = true,
@@ -182,6 +184,8 @@ public sealed class UniversalRenderer : ScriptableRenderer
         {
             resources.cameraNormalsTexture = graph.CreateTexture(new TextureDesc(desc.width, desc.height)
             {
+                slices = desc.volumeDepth,
+                dimension = desc.dimension,
                 format = GraphicsFormat.R16G16B16A16_SFloat,
                 name = "_CameraNormalsTexture",
                 clearBuffer = true,

@@ -44,6 +44,7 @@ Shader "SPH Fluid/Particles"
 
             HLSLPROGRAM
             #pragma target 4.5
+            #pragma multi_compile _ STEREO_INSTANCING_ON
             #pragma vertex ExpandSquare
             #pragma fragment CastSquareShadow
 

@@ -43,6 +43,7 @@ Shader "SPH Fluid/Surface"
 
             HLSLPROGRAM
             #pragma target 4.5
+            #pragma multi_compile _ STEREO_INSTANCING_ON
             #pragma vertex FetchSurface
             #pragma fragment CastSurfaceShadow
 

@@ -1,6 +1,6 @@
 // Solid things around a liquid, as in the samples: one colour, or tiles of two, lit by the main light, further lights and the ambient
-// light. Looks alike in the Built-in pipeline and in URP; in HDRP, whose lights have no interface for shaders of others, it is shaded from
-// above by a light of its own.
+// light. Looks alike in the Built-in pipeline and in URP; in HDRP, whose lights have no interface for shaders of others, it is shaded
+// from above by a light of its own.
 Shader "SPH Fluid/Scenery"
 {
     Properties
@@ -169,6 +169,7 @@ Shader "SPH Fluid/Scenery"
 
             HLSLPROGRAM
             #pragma target 4.5
+            #pragma multi_compile _ STEREO_INSTANCING_ON
             #pragma multi_compile_shadowcaster
             #pragma vertex PlaceSceneryShadow
             #pragma fragment CastSceneryShadow

@@ -84,11 +84,15 @@ float4 AddLight(SceneryFragment i) : SV_Target
 struct ShadowFragment
 {
     V2F_SHADOW_CASTER;
+    UNITY_VERTEX_OUTPUT_STEREO // the camera's depth texture is drawn by this pass, too
 };
 
 ShadowFragment PlaceSceneryShadow(SceneryVertex v)
 {
     ShadowFragment o;
+    UNITY_SETUP_INSTANCE_ID(v);
+    UNITY_INITIALIZE_OUTPUT(ShadowFragment, o);
+    UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(o);
     TRANSFER_SHADOW_CASTER_NORMALOFFSET(o)
     return o;
 }

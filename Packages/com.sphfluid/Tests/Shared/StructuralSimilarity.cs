@@ -21,7 +21,9 @@ namespace SphFluid.Tests
         public static double Of(Picture a, Picture b)
         {
             if (a.Width != b.Width || a.Height != b.Height)
+            {
                 throw new ArgumentException($"{a.Width} x {a.Height} and {b.Width} x {b.Height} pixels");
+            }
             double sum = 0.0;
             int count = 0;
             for (int y = Radius; y < a.Height - Radius; y++)

@@ -3,6 +3,7 @@ using NUnit.Framework;
 using UnityEngine;
 using UnityEngine.Rendering;
 using UnityEngine.Rendering.Universal;
+using ShadowQuality = UnityEngine.ShadowQuality;
 
 namespace SphFluid.Tests
 {

@@ -89,8 +89,8 @@ namespace SphFluid.Tests
             set
             {
                 Water.CastShadows = value;
-                foreach (GameObject block in new[] { Floor, Behind, Beside })
-                    block.GetComponent<Renderer>().shadowCastingMode = value ? ShadowCastingMode.On : ShadowCastingMode.Off;
+                ShadowCastingMode mode = value ? ShadowCastingMode.On : ShadowCastingMode.Off;
+                foreach (GameObject block in new[] { Floor, Behind, Beside }) block.GetComponent<Renderer>().shadowCastingMode = mode;
             }
         }
 

@@ -179,7 +179,8 @@ namespace SphFluid
 
         /// <summary>Bytes that the buffers take once all is copied.</summary>
         public long PlannedBytes =>
-            GpuBuffers.BytesOf(TriangleRoom, BodyTriangle.Stride) + GpuBuffers.BytesOf(CellRoom + ReferenceRoom + TriangleRoom, sizeof(uint));
+            GpuBuffers.BytesOf(TriangleRoom, BodyTriangle.Stride) +
+            GpuBuffers.BytesOf(CellRoom + ReferenceRoom + TriangleRoom, sizeof(uint));
 
         private long TriangleRoom => WithSlack(triangles.Count, steady.Triangles);
         private long CellRoom => WithSlack(cellCount, steady.Cells);

@@ -37,8 +37,8 @@ namespace SphFluid
         public readonly FluidBuffer CellTable;
 
         /// <summary>
-        /// Behind them, particles of each cell after the step, and those that left the domain in it, and <see cref="SumCount"/> sums of them
-        /// for the scan.
+        /// Behind them, particles of each cell after the step, and those that left the domain in it, and <see cref="SumCount"/> sums of
+        /// them for the scan.
         /// </summary>
         public readonly BufferRange CellCount;
 

@@ -103,7 +103,8 @@ namespace SphFluid
         private static double Expected(in FluidSolverSettings settings) =>
             4.0 / 3.0 * Math.PI * Math.Pow(settings.SupportRadius / (double)settings.Spacing, 3.0);
 
-        private static long ElementCount(int particleCount, int length) => EntryCount(particleCount, length) + Numbers * (long)particleCount;
+        private static long ElementCount(int particleCount, int length) =>
+            EntryCount(particleCount, length) + Numbers * (long)particleCount;
 
         private static long EntryCount(int particleCount, int length) => ((long)particleCount + Lanes - 1) / Lanes * Lanes * length;
     }

@@ -61,8 +61,8 @@ uint LiveCount()
     return CellStart(RemovedCell());
 }
 
-// The number of the cell that a live particle was sorted into, where that is asked: the last that begins with it or before. Empty cells begin where
-// the next does. Worked example, cells that begin at 0, 0, 2 and 5: particle 1 is in the second.
+// The number of the cell that a live particle was sorted into, where that is asked: the last that begins with it or
+// before. Empty cells begin where the next does. Worked example, cells that begin at 0, 0, 2 and 5: particle 1 is in the second.
 uint SortedCell(uint id, bool isAsked)
 {
     uint cell = 0u;

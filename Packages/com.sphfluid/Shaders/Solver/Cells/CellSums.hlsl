@@ -18,8 +18,9 @@ uint _RankBegin; // behind them the place of each particle in its cell
 // Counts a particle in a cell; how many were counted there before it.
 uint CountCell(uint cell, uint id)
 {
+    const uint sum = RemovedCell() + 1u + cell / SCAN_CELLS_PER_GROUP * SCAN_SUM_PARTS + id % SCAN_SUM_PARTS;
     uint ignored;
-    InterlockedAdd(_CellTableOut[_CellCountBegin + RemovedCell() + 1u + cell / SCAN_CELLS_PER_GROUP * SCAN_SUM_PARTS + id % SCAN_SUM_PARTS], 1u, ignored);
+    InterlockedAdd(_CellTableOut[_CellCountBegin + sum], 1u, ignored);
     uint rank;
     InterlockedAdd(_CellTableOut[_CellCountBegin + cell], 1u, rank);
     return rank;
