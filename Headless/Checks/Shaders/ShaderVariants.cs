@@ -38,6 +38,7 @@ internal static class ShaderVariants
         from sub in shader.SubShaders.Select((value, index) => (value, index))
         from pass in sub.value.Passes.Select((value, index) => (value, index))
         from keywords in FxcJob.Variants(pass.value.Program.KeywordSets)
+        where !keywords.Contains("STEREO_INSTANCING_ON") // the same work with another eye's matrices
         let entry = $"{sub.index}.{pass.index} {pass.value.Name}".Trim()
         select new ShaderVariant(file, entry, string.Join(' ', keywords), new ShaderRequest(pass.value, keywords));
 }
