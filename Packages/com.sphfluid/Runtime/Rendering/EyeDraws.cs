@@ -14,9 +14,9 @@ namespace SphFluid
     /// </summary>
     internal static class EyeDraws
     {
-        private static readonly List<Camera> cameras = new List<Camera>();
+        [OutlivesPlay("found anew before each draw")] private static readonly List<Camera> cameras = new List<Camera>();
 #if SPHFLUID_VR
-        private static Camera[] found = new Camera[4];
+        [OutlivesPlay("emptied after each search")] private static Camera[] found = new Camera[4];
 #endif
 
         /// <summary>The picture that both eyes of a camera are drawn into.</summary>
