@@ -48,14 +48,4 @@ public sealed record FactScene(Camera Camera, Light Sun, Light Lamp, Light Spot,
         Color color = light.color.linear * light.intensity;
         return new Vector4(color.r, color.g, color.b, w);
     }
-
-    /// <summary>The centre and radius of cascades, by the frustum's corners: the farthest two decide.</summary>
-    public (Vector3 Center, float Radius) Cascade(int index)
-    {
-        float distance = Mathf.Min(Asset.shadowDistance, Camera.farClipPlane);
-        float[] ends = [0f, Asset.cascade4Split.x, Asset.cascade4Split.y, Asset.cascade4Split.z, 1f];
-        float near = index == 0 ? Camera.nearClipPlane : Camera.nearClipPlane + (ends[index] * (distance - Camera.nearClipPlane));
-        float far = Camera.nearClipPlane + (ends[index + 1] * (distance - Camera.nearClipPlane));
-        return (Camera.transform.position + (Camera.transform.forward * ((near + far) * 0.5f)), far);
-    }
 }

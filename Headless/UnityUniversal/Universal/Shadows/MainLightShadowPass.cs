@@ -50,8 +50,7 @@ internal sealed class MainLightShadowPass
         for (int i = 0; i < data.Slices.Length; i++)
         {
             // The bounds of what casts are the light's; the slice leaves out what it cannot see.
-            var settings = new ShadowDrawingSettings(results, lights.mainLightIndex, BatchCullingProjectionType.Orthographic) { useRenderingLayerMaskTest = false };
-            settings.splitData = data.Slices[i].Split;
+            var settings = new ShadowDrawingSettings(results, lights.mainLightIndex, BatchCullingProjectionType.Orthographic) { splitData = data.Slices[i].Split };
             data.Casters[i] = graph.CreateShadowRendererList(ref settings);
             builder.UseRendererList(data.Casters[i]);
         }
@@ -80,7 +79,7 @@ internal sealed class MainLightShadowPass
         int resolution = TileResolution(shadows.mainLightShadowmapWidth, shadows.mainLightShadowmapHeight, cascades);
         (data.Width, data.Height) = (shadows.mainLightShadowmapWidth, cascades == 2 ? shadows.mainLightShadowmapHeight >> 1 : shadows.mainLightShadowmapHeight);
         (data.Slices, data.Casters) = (new ShadowSlice[cascades], new RendererListHandle[cascades]);
-        Light light = data.Camera.camera == null ? null! : results.visibleLights[lightIndex].light;
+        Light light = results.visibleLights[lightIndex].light;
         for (int i = 0; i < cascades; i++)
         {
             if (!results.ComputeDirectionalShadowMatricesAndCullingPrimitives(
