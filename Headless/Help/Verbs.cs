@@ -17,13 +17,14 @@ internal static class Verbs
     [
         new("play", "plays a scene and writes its pictures, film and figures")
         {
+            Words = "[SCENE] [flags]",
             OfPlayer = PlayOptions.Flags, Own = OfPackage("play"),
             Notes = ["writes DIR/frame_00000.png..., film.mp4, timings.csv and summary.json"],
             Examples =
             [
                 ("", "a second and a half of the sample Dam Break: a film in Build/play, in under a minute on two CPU cores"),
                 ("--open --size 1280x720 --fps 30", "the same in HD, shown when it is done"),
-                ("--scene Fountain --seconds 5", "another sample; a path of a .unity file does as well"),
+                ("Fountain --seconds 5", "another sample (./run list names them); a path of a .unity file does as well"),
                 ("--particles 4000 --surface particles --seconds 1 --size 640x360", "a quick look with fewer particles"),
                 ("--no-images --seconds 4 --record record.csv --state end.ply --mesh end-surface.ply", "figures, particles and surface; no pictures"),
             ],
@@ -103,6 +104,7 @@ internal static class Verbs
         },
         Measured("export", "a scene's liquids as cases of PySPH, which runs on many processors") with
         {
+            Words = "[SCENE] [flags]",
             Notes =
             [
                 "writes DIR/case.py, its data, run.sh, job.sbatch, to_sequence.py and manifest.json; several liquids each to a folder of its name",
@@ -111,7 +113,7 @@ internal static class Verbs
             Examples =
             [
                 ("--particles 4000 --seconds 0.5", "the sample Dam Break with 4,000 particles; then bash Build/export/run.sh"),
-                ("--scene WaveTank --seconds 4 --ranks 8", "a scene whose paddle moves, for eight processes"),
+                ("WaveTank --seconds 4 --ranks 8", "a scene whose paddle moves, for eight processes"),
             ],
         },
         Measured("peers", "cases of the chart computed by another program, PySPH, as CSV and a picture") with
@@ -141,6 +143,7 @@ internal static class Verbs
         {
             Words = "", Notes = ["writes Build/docs, to be opened at Build/docs/index.html; Doxygen is installed by apt where it is missing"],
         },
+        new("list", "the scenes, liquids and methods that play takes by name") { Words = "" },
         new("devices", "the graphics devices of this machine") { Words = "" },
         new("publish", "the player as one folder that needs no .NET")
         {

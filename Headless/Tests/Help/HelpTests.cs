@@ -69,9 +69,11 @@ public sealed class HelpTests
     [TestCase("run: 'x' is not a verb. ./run --help lists them.", "help", "x")]
     [TestCase("build: 'foo' is not a solution. Headless.slnx is all, Play.slnx the part that plays and measures.", "build", "foo")]
     [TestCase("build: 'play.slnx' is not a solution; did you mean Play.slnx? Headless.slnx is all, Play.slnx the part that plays and measures.", "build", "play.slnx")]
-    [TestCase("play: 'a/Fountain.unity' is not a flag. A scene is named by --scene: ./run play --scene 'a/Fountain.unity'", "play", "a/Fountain.unity", "--seconds", "1")]
-    [TestCase("play: --scene: 'fountan' is neither a .unity file nor a sample; did you mean fountain? The samples are DamBreak Fountain.", "--scene", "fountan")]
-    [TestCase("export: --scene: 'x' is neither a .unity file nor a sample. The samples are DamBreak Fountain.", "export", "--scene=x")]
+    [TestCase("play: 'Fountain' and --scene name two scenes; give one.", "play", "Fountain", "--seconds", "1", "--scene", "DamBreak")]
+    [TestCase("list: 'scenes' is not understood; it takes no words.", "list", "scenes")]
+    [TestCase("play: 'fountan' is neither a .unity file nor a sample; did you mean fountain? The samples are DamBreak Fountain.", "play", "fountan")]
+    [TestCase("play: 'fountan' is neither a .unity file nor a sample; did you mean fountain? The samples are DamBreak Fountain.", "--scene", "fountan")]
+    [TestCase("export: 'x' is neither a .unity file nor a sample. The samples are DamBreak Fountain.", "export", "--scene=x")]
     [Platform(Exclude = "Win")]
     public void TheShellRefusesInOneLineBeforeAnythingIsBuilt(string message, params string[] words)
     {
@@ -128,9 +130,22 @@ public sealed class HelpTests
     [Platform(Exclude = "Win")]
     public void ASampleIsASceneByItsName(string name)
     {
-        (int code, string output, string errors) = Shell(["--seconds", "1", "--scene", name]);
-        Assert.That(code, Is.Zero, errors);
-        Assert.That(output, Does.Match(@"played .*--seconds 1 --scene \S*Packages/com\.sphfluid/Samples~/Fountain/Fountain\.unity --out \S*Build/play --\s"));
+        foreach (string[] words in new string[][] { ["--scene", name, "--seconds", "1"], ["play", name, "--seconds", "1"] })
+        {
+            (int code, string output, string errors) = Shell(words);
+            Assert.That(code, Is.Zero, errors);
+            Assert.That(output, Does.Match(@"played .*--scene \S*Packages/com\.sphfluid/Samples~/Fountain/Fountain\.unity --seconds 1 --out \S*Build/play --\s"));
+        }
+    }
+
+    [Test]
+    [Platform(Exclude = "Win")]
+    public void ScenesLiquidsAndMethodsAreListed()
+    {
+        (int code, string output, string errors) = Shell(["list"]);
+        Assert.That((code, errors), Is.EqualTo((0, "")));
+        Assert.That(output, Does.Match(@"(?m)^  DamBreak +A dam breaks\.$").And.Match(@"(?m)^  Fountain +A \""nozzle\""\.$"));
+        Assert.That(output, Does.EndWith("  thesis-printed\n  thesis\n  robust\n  standard\n  automatic\n"));
     }
 
     /// <summary>
@@ -148,7 +163,23 @@ public sealed class HelpTests
             foreach (string text in Directory.EnumerateFiles(Path.Combine(FuzzProject.Repository, HelpFiles.Folder)))
                 File.Copy(text, Path.Combine(folder.FullName, HelpFiles.Folder, Path.GetFileName(text)));
             foreach (string sample in new[] { "Fountain", "DamBreak" }) Add(folder, $"Packages/com.sphfluid/Samples~/{sample}/{sample}.unity", "");
-            Add(folder, "Packages/com.sphfluid/package.json", "{ \"name\": \"com.sphfluid\", \"version\": \"1.2.3-test\" }");
+            Add(folder, "Packages/com.sphfluid/package.json", """
+                {
+                  "name": "com.sphfluid",
+                  "version": "1.2.3-test",
+                  "samples": [
+                    {
+                      "description": "A dam breaks.",
+                      "path": "Samples~/DamBreak"
+                    },
+                    {
+                      "description": "A \"nozzle\".",
+                      "path": "Samples~/Fountain"
+                    }
+                  ]
+                }
+
+                """);
             Add(folder, "setup.sh", "#!/bin/sh\necho \"setup $1\"\nmkdir -p \"$(dirname \"$0\")/Build\"\n");
             if (built) Add(folder, "Build/dotnet/bin/Headless.Player/release/sphplayer", $"#!/bin/sh\nexec '{Program}' \"$@\"\n");
             Add(folder, "programs/dotnet", """

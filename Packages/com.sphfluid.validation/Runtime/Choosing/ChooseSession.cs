@@ -44,6 +44,16 @@ namespace SphFluid.Validation
             Claim(verifies ? new[] { VerificationRow.Format.File } : ChoiceScript.Files().Prepend(ChoiceRow.Format.File));
         }
 
+        /// <inheritdoc/>
+        /// <exception cref="IncompleteException">All is written, but nothing that was measured keeps what was asked.</exception>
+        public override bool Step()
+        {
+            if (base.Step()) return true;
+            return answer == null || answer.Best != null ? false : throw new IncompleteException(
+                "choose: nothing that was measured keeps what was asked; the nearest ways are above and in " +
+                $"{Path.Combine(Folder, ChoiceRow.Format.FileName)}.");
+        }
+
         private protected override string Unfinished => arguments.Verifications > 0 ? $"'{Folder}' holds every finished run."
             : "Nothing was written.";
 
@@ -58,12 +68,6 @@ namespace SphFluid.Validation
             ChoiceRow.Format.Write(Folder, ChoiceRow.Of(answer));
             string problem = GnuplotScript.Draw(Folder, new GnuplotScript[] { new ChoiceScript(answer) });
             Progress.Say(problem ?? $"{Path.Combine(Folder, "choose.png")}, choose.svg and {ChoiceRow.Format.FileName} are written.");
-            if (answer.Best == null)
-            {
-                throw new IncompleteException(
-                    "choose: nothing that was measured keeps what was asked; the nearest ways are above and in " +
-                    $"{Path.Combine(Folder, ChoiceRow.Format.FileName)}.");
-            }
         }
     }
 }
