@@ -9,7 +9,8 @@ internal static class ShellTable
     {
         var text = new StringBuilder("# Written by ./run help --update from the flags that the parsers read; run reads it.\n");
         text.Append($"verbs='{Names(verbs.Select(v => v.Name))}'\n");
-        text.Append($"methods='{Names(verbs.Single(v => v.Name == "play").Own.Single(f => f.Name == "--method").Choices)}'\n");
+        Verb play = verbs.Single(v => v.Name == "play");
+        foreach (string flag in new[] { "liquid", "method" }) text.Append($"{flag}s='{Names(play.Own.Single(f => f.Name == "--" + flag).Choices)}'\n");
         Table(text, "all_flags", verbs, v => v.AllFlags);
         Table(text, "player_values", verbs, v => v.OfPlayer.Where(f => f.Value is not null && !f.Hidden));
         Table(text, "player_switches", verbs, v => v.OfPlayer.Where(f => f.Value is null && !f.Hidden));

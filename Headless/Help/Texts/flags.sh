@@ -1,8 +1,9 @@
 # Written by ./run help --update from the flags that the parsers read; run reads it.
 verbs='play bench chart choose stability leaks surfaces merge budgets export peers figures check model mutate docs list devices publish build help'
+liquids='blood honey lava mercury milk muddy-river oil sea-water slime water'
 methods='thesis-printed thesis robust standard automatic'
 declare -A all_flags=(
-    [play]='--scene --seconds --fps --size --out --device --pipeline --stereo --no-images --open --twice --validate --unset --method --budget --surface --particles --seed --sequence --write-sequence --state --mesh --record'
+    [play]='--scene --seconds --fps --size --out --device --pipeline --stereo --no-images --open --twice --validate --unset --method --liquid --budget --surface --particles --seed --sequence --write-sequence --state --mesh --record'
     [bench]='--device --validate --table --particles --grids --repeat --out --sweep --no-sweep --scene --phases --against --fps --size --pipeline --method --surface --seed'
     [chart]='--device --validate --quick --case --method --out --slice --shard'
     [choose]='--device --validate --case --error --ms --fps --length --speed --volume --compression --chart --verify --out'

@@ -23,6 +23,8 @@ namespace SphFluid.Validation
             string[] methods = CaseMethod.All.Select(m => m.Name).Append(AutomaticName).ToArray();
             Options.Add("--method", "NAME", "solver of every liquid (automatic: the one that fits the frame budget)", "as in the scene",
                 methods, flag => Method = KindOf(flag.OneOf(methods)));
+            Options.Add("--liquid", "NAME", "what every liquid is", "as in the scene", PackageLiquids.Names,
+                flag => Liquid = flag.OneOf(PackageLiquids.Names));
             Options.Add("--budget", "MS", "milliseconds a frame that the steps of every liquid may take with --method automatic",
                 "as in the scene",
                 flag => Budget = (float)flag.Milliseconds());
@@ -46,6 +48,9 @@ namespace SphFluid.Validation
 
         /// <summary>Method for every simulation; null keeps the scene's.</summary>
         public FluidMethodKind? Method { get; private set; }
+
+        /// <summary>Liquid of the package for every simulation, one of <see cref="PackageLiquids.Names"/>; null keeps the scene's.</summary>
+        public string Liquid { get; private set; }
 
         /// <summary>Frame budget for every simulation [ms]; null keeps the scene's.</summary>
         public float? Budget { get; private set; }

@@ -18,8 +18,10 @@ namespace SphFluid.Validation
                     "--budget acts with --method automatic only, and no liquid of the scene has that method; give --method automatic, or " +
                     "no budget.");
             }
+            FluidLiquid liquid = arguments.Liquid != null ? PackageLiquids.Load(arguments.Liquid) : null;
             foreach (FluidSimulation simulation in simulations)
             {
+                if (liquid != null) SetLiquid(simulation, liquid);
                 if (arguments.Method is FluidMethodKind method) simulation.Method = method;
                 if (arguments.Budget is float budget) simulation.FrameBudget = budget;
                 if (arguments.Particles is int count) SetParticles(simulation, count);
@@ -60,6 +62,17 @@ namespace SphFluid.Validation
             simulation.Spacing = spacing;
             simulation.DomainSize = size;
             simulation.transform.position += simulation.transform.rotation * new Vector3(0f, 0.5f * (size.y - before.y), 0f);
+        }
+
+        // Nothing of the scene's is to contradict it.
+        private static void SetLiquid(FluidSimulation simulation, FluidLiquid liquid)
+        {
+            simulation.Liquid = liquid;
+            simulation.Profile = null;
+            foreach (FluidEmitter emitter in LoadedScenes.Find<FluidEmitter>(includeInactive: true))
+                if (emitter.Simulation == simulation) emitter.Liquid = liquid;
+            foreach (FluidSurfaceRenderer view in ViewsOf(simulation).OfType<FluidSurfaceRenderer>()) view.OwnLook = false;
+            if (simulation.TryGetComponent(out FluidWhitewater whitewater)) whitewater.OwnLook = false;
         }
 
         private static void WarnUndrawn(FluidSimulation simulation) => Debug.LogWarning(
