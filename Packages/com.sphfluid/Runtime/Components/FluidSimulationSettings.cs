@@ -109,6 +109,12 @@ namespace SphFluid
             "Jitter; method Standard only. A change starts the liquid again.")]
         private FluidStartRelaxation startRelaxation;
 
+        [SerializeField,
+            Tooltip(
+                "The relaxed start as Save Relaxed Start wrote it. The liquid starts from it at once, as long as it is the same liquid in " +
+            "the same vessel; otherwise it comes to rest anew.")]
+        private TextAsset savedStart;
+
         [Header("Particles that come and go")]
         [SerializeField,
             Tooltip(
@@ -217,6 +223,9 @@ namespace SphFluid
         /// </summary>
         public FluidStartRelaxation StartRelaxation { get => Limits.Known(startRelaxation); set => startRelaxation = value; }
 
+        /// <summary>A relaxed start that the inspector saved, which the liquid starts from as long as it fits; null for none.</summary>
+        public TextAsset SavedStart { get => savedStart; set => savedStart = value; }
+
         /// <summary>What happens when emitters give more particles than there are slots for.</summary>
         public FluidCapacityPolicy CapacityPolicy { get => Limits.Known(capacityPolicy); set => capacityPolicy = value; }
 
@@ -255,6 +264,7 @@ namespace SphFluid
                     Seed = seed,
                     StartJitter = StartJitter,
                     StartRelaxation = StartRelaxation,
+                    SavedStart = savedStart,
                 };
                 if (FluidMethods.IsChosen(method))
                 {

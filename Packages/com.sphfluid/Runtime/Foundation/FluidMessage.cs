@@ -152,6 +152,9 @@ namespace SphFluid
 
         /// <summary>Something drives or presses the liquid more than its constants are made for.</summary>
         LiquidTooSoft,
+
+        /// <summary>A liquid volume is drawn out to walls of its domain that it nearly reaches.</summary>
+        VolumeDrawnOut,
     }
 
     /// <summary>
