@@ -83,6 +83,12 @@ namespace SphFluid
             "Jitter; method Standard only. A change starts the liquid again.")]
         private FluidStartRelaxation startRelaxation;
 
+        [SerializeField,
+            Tooltip(
+                "The relaxed start as Save Relaxed Start wrote it. The liquid starts from it at once, as long as it is the same liquid in " +
+            "the same vessel; otherwise it comes to rest anew.")]
+        private TextAsset savedStart;
+
         [SerializeField, Range(0f, FluidSpawner.MaxJitter),
             Tooltip("Largest random offset of a particle at the start as a fraction of the spacing. A change starts the liquid again.")]
         private float startJitter = 0.02f;
@@ -247,6 +253,9 @@ namespace SphFluid
         /// </summary>
         public FluidStartRelaxation StartRelaxation { get => Limits.Known(startRelaxation); set => startRelaxation = value; }
 
+        /// <summary>A relaxed start that the inspector saved, which the liquid starts from as long as it fits; null for none.</summary>
+        public TextAsset SavedStart { get => savedStart; set => savedStart = value; }
+
         /// <summary>What happens when emitters give more particles than there are slots for.</summary>
         public FluidCapacityPolicy CapacityPolicy { get => Limits.Known(capacityPolicy); set => capacityPolicy = value; }
 
@@ -289,6 +298,7 @@ namespace SphFluid
                     Seed = seed,
                     StartJitter = StartJitter,
                     StartRelaxation = relaxes ? StartRelaxation : active.StartRelaxation,
+                    SavedStart = savedStart,
                 };
                 if (FluidMethods.IsChosen(method))
                 {
