@@ -1,6 +1,8 @@
 #!/usr/bin/env bash
 # The pictures of the samples in the manual, played anew: four moments of each, side by side. About ten minutes on two CPU cores.
-#   ./Headless/Docs/pictures.sh [NAME...]   all, or the named ones, e.g. fountain
+#   ./Headless/Docs/pictures.sh [NAME...]           all, or the named ones, e.g. fountain
+#   ./Headless/Docs/pictures.sh --judge [NAME...]   keeps the committed ones and says how like them the new ones are (SSIM): below
+#                                                   0.9 the look has changed, and somebody has to look at Build/pictures/NAME.png
 # images/pictures.csv says what each shows, and pages take their captions from it: afterwards ./run check --only docs --update.
 # The thesis's surface and the 65,536 particles are made by hand, by the commands in that table.
 set -euo pipefail
@@ -9,6 +11,10 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 images=$root/Packages/com.sphfluid/Documentation~/images
 plays=$root/Build/pictures
 fps=20
+least=0.9 # of the structural similarity; other rounding of another device moves drops and waves
+judge=0
+[[ ${1-} != --judge ]] || { judge=1; shift; }
+failed=0
 
 # Pictures of a play by number, in the tiles of one.
 tiles() {
@@ -26,6 +32,14 @@ while read -r name sample size layout moments; do
     command="play --scene $sample --seconds ${moments##* } --fps $fps --size $size"
     # shellcheck disable=SC2086
     "$root/run" $command --out "$plays/$name" < /dev/null > "$plays-$name.log" 2>&1 || { tail -n 20 "$plays-$name.log"; exit 1; }
+    if ((judge)); then
+        tiles "$plays/$name" "$layout" "$plays/$name.png" "${frames[@]}"
+        similarity=$(ffmpeg -nostdin -hide_banner -i "$plays/$name.png" -i "$images/$name.png" -lavfi ssim -f null - 2>&1 | sed -n 's/.*All:\([0-9.]*\).*/\1/p')
+        verdict=ok
+        awk -v s="${similarity:-0}" -v l=$least 'BEGIN { exit s >= l }' && verdict=CHANGED failed=$((failed + 1))
+        printf '%-8s%-26s%s\n' "$verdict" "$name" "${similarity:-another size}"
+        continue
+    fi
     tiles "$plays/$name" "$layout" "$images/$name.png" "${frames[@]}"
     "$root/Headless/Docs/record-picture.sh" "$images/$name.png" "$sample" "./run $command" "$moments" "$plays/$name"
     echo "$images/$name.png"
@@ -45,3 +59,4 @@ water-wheel WaterWheel 480x270 2x2 0.3 0.8 1.5 2.4
 wave-tank WaveTank 480x270 2x2 0.6 1.2 1.8 2.4
 weather-proof WeatherProof 480x270 2x2 0.6 1.2 1.8 2.4
 PICTURES
+exit $((failed > 0))
