@@ -41,12 +41,14 @@ internal sealed class MethodFacts
     /// <summary><c>bytes:Standard:particle</c>, <c>list</c>, <c>walls</c> and <c>cell</c>: GPU memory of a particle, of what it needs more for a list and for colliders, of a cell.</summary>
     public string Bytes(string[] words) => words is [var method, var part] && methods.ContainsKey(method) ? FactText.Number(Bytes(method, part)) : throw new UnknownFactException("a method and a part");
 
-    /// <summary><c>requires:Standard</c>: threads a group, buffers, those written and shared memory, as cells of a table.</summary>
+    /// <summary><c>requires:Standard</c>, <c>requires:Whitewater</c>: threads a group, buffers, those written and shared memory, as cells of a table.</summary>
     public string Requires(string[] words)
     {
-        var group = words is [var method] && methods.TryGetValue(method, out var found) ? PackageProgram.Get(found, "Shaders")! : throw new UnknownFactException("a method");
-        return string.Join(" | ", new[] { "GroupThreads", "Buffers", "WritableBuffers", "GroupMemory" }
-            .Select(n => FactText.Number(Convert.ToDouble(PackageProgram.Get(group, n) ?? throw new UnknownFactException($"a shader group has no {n}"), CultureInfo.InvariantCulture))));
+        var group = words is [var part] ? methods.TryGetValue(part, out var method) ? PackageProgram.Get(method, "Shaders")! : program.Constant("ShaderGroup", part) : throw new UnknownFactException("a part");
+        return string.Join(" | ", new[] { "GroupThreads", "Buffers", "WritableBuffers", "GroupMemory" }.Select(n => FactText.Number(Most(group, n))));
+
+        static double Most(object group, string number) =>
+            Math.Max(Convert.ToDouble(PackageProgram.Get(group, number), CultureInfo.InvariantCulture), PackageProgram.Get(group, "Shared") is { } shared ? Most(shared, number) : 0);
     }
 
     private double Bytes(string method, string part)
@@ -57,7 +59,7 @@ internal sealed class MethodFacts
             "particle" => Each(p => State(p)),
             "walls" => Each(p => State(p, withWalls: true)) - Each(p => State(p)),
             "list" => Each(p => program.Make("NeighbourList", p, program.CallOf("NeighbourList", "LengthFor", Settings(method, 1f)), true)),
-            "cell" => Math.Round((Of(State(Particles, size: 2f)) - Of(State(Particles))) / (Cells(2f) - Cells(1f))),
+            "cell" => Math.Round((Of(State(Particles, size: 6f)) - Of(State(Particles, size: 4f))) / (Cells(6f) - Cells(4f))),
             _ => throw new UnknownFactException($"'{part}' is none of particle, list, walls and cell"),
         };
 
