@@ -12,10 +12,14 @@ namespace SphFluid
     {
         private readonly EmitterState state = new EmitterState();
 
+        [SerializeField,
+            Tooltip("What flows. A simulation without a liquid of its own takes it; with one it must be the same. Empty: what is there.")]
+        private FluidLiquid liquid;
+
         [SerializeField, Tooltip("Outline of the nozzle, across this transform's forward axis.")]
         private FluidEmitterShape shape;
 
-        [SerializeField,
+        [SerializeField, Unit("m"),
             Tooltip(
                 "Edge lengths of the nozzle along this transform's x and y axes, in metres where its scale is one. Of a line only the " +
                 "first counts, of a mesh none.")]
@@ -29,19 +33,19 @@ namespace SphFluid
         [SerializeField, Tooltip("Whether the speed at the nozzle is given, or the volume a second.")]
         private FluidEmitterFlow flow;
 
-        [SerializeField, Min(0f), Tooltip("Speed of the liquid at the nozzle in m/s.")]
+        [SerializeField, Unit("m/s"), Min(0f), Tooltip("Speed of the liquid at the nozzle in m/s.")]
         private float speed = 1f;
 
-        [SerializeField, Min(0f), Tooltip("Volume that leaves the nozzle a second in m³/s: 0.001 is a litre.")]
+        [SerializeField, Unit("m³/s"), Min(0f), Tooltip("Volume that leaves the nozzle a second in m³/s: 0.001 is a litre.")]
         private float volumeRate = 0.001f;
 
         [SerializeField, Tooltip("Flow from the moment when the component is enabled.")]
         private bool playOnEnable = true;
 
-        [SerializeField, Min(0f), Tooltip("Seconds of the liquid's time after which the flow ends. 0: it goes on.")]
+        [SerializeField, Unit("s"), Min(0f), Tooltip("Seconds of the liquid's time after which the flow ends. 0: it goes on.")]
         private float duration;
 
-        [SerializeField, Min(0f),
+        [SerializeField, Unit("s"), Min(0f),
             Tooltip("Lifetime of this emitter's liquid, in seconds of the liquid's time; then it is removed. 0: it stays.")]
         private float lifetime;
 
@@ -53,6 +57,12 @@ namespace SphFluid
         [SerializeField, Tooltip("Simulation that the liquid belongs to. Empty: the simulation among its parents, else the only one " +
             "in the scene, else the one whose domain holds this object.")]
         private FluidSimulation simulation;
+
+        /// <summary>
+        /// What flows: a simulation without a liquid of its own takes that of its first emitter with one; null: what is there. Another
+        /// than the simulation's is reported as <see cref="FluidIssue.LiquidsDiffer"/>.
+        /// </summary>
+        public FluidLiquid Liquid { get => liquid; set => liquid = value; }
 
         /// <summary>Outline of the nozzle.</summary>
         public FluidEmitterShape Shape { get => Limits.Known(shape); set => shape = value; }
@@ -118,6 +128,7 @@ namespace SphFluid
                 {
                     Owner = this,
                     State = state,
+                    Liquid = liquid,
                     Position = transform.position,
                     Rotation = transform.rotation,
                     Shape = Shape,

@@ -81,7 +81,7 @@ namespace SphFluid.Tests
         {
             Assert.That(FluidSurfaceRendererEditor.Hidden(Both<FluidSurfaceRenderer>()), Has.Member("color"));
             second.GetComponent<FluidSurfaceRenderer>().Look = FluidSurfaceLook.Opaque;
-            Assert.That(FluidSurfaceRendererEditor.Hidden(Both<FluidSurfaceRenderer>()), Is.EqualTo(new[] { "m_Script" }));
+            Assert.That(FluidSurfaceRendererEditor.Hidden(Both<FluidSurfaceRenderer>()), Is.EqualTo(new[] { "m_Script", "ownLook" }));
         }
 
         [Test]
@@ -117,6 +117,8 @@ namespace SphFluid.Tests
             made.AddComponent<FluidSurfaceRenderer>();
             made.AddComponent<FluidSurfaceMesh>();
             made.AddComponent<FluidDiagnostics>();
+            made.AddComponent<FluidWhitewater>();
+            made.AddComponent<FluidEmitter>();
             made.AddComponent<FluidVolume>();
             return made;
         }
