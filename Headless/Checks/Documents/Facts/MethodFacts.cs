@@ -20,7 +20,7 @@ internal sealed class MethodFacts
         this.program = program;
         capabilities = Capability.Read(packages.Project);
         methods = program.Each("FluidMethod", Enum.Parse(program.Type("FluidMethodKind"), "Thesis")).ToDictionary(m => PackageProgram.Get(m, "Kind")!.ToString()!);
-        string[] features = [.. Enum.GetNames(program.Type("FluidMethodFeatures")).Where(n => n != "None")], listed = [.. capabilities.Select(c => c.Feature)];
+        string[] features = [.. Enum.GetNames(program.Type("FluidMethodFeatures")).Where(n => n != "None")], listed = [.. capabilities.Where(c => !c.IsOfAll).Select(c => c.Feature)];
         if (features.Except(listed).Concat(listed.Except(features)).FirstOrDefault() is { } odd)
             throw new UnknownFactException($"Facts/Data/capabilities.csv and FluidMethodFeatures do not have the same names: {odd}");
     }
@@ -28,7 +28,7 @@ internal sealed class MethodFacts
     /// <summary>The methods in the order in which documents name them.</summary>
     public IReadOnlyList<string> Names => [.. methods.Keys.OrderBy(n => Array.IndexOf(["Standard", "Robust", "Thesis"], n) is var place and >= 0 ? place : int.MaxValue)];
 
-    public IReadOnlyList<string> With(string feature) => [.. Names.Where(n => ((Enum)PackageProgram.Get(methods[n], "Features")!).HasFlag((Enum)Parse(feature)))];
+    public IReadOnlyList<string> With(string feature) => [.. Names.Where(n => feature.Length == 0 || ((Enum)PackageProgram.Get(methods[n], "Features")!).HasFlag((Enum)Parse(feature)))];
 
     public string Find(string[] words) => words switch
     {
@@ -94,7 +94,7 @@ internal sealed class MethodFacts
     private string Table()
     {
         var rows = new List<string> { $"| | {string.Join(" | ", Names)} |", $"|---|{string.Concat(Names.Select(_ => "---|"))}" };
-        foreach (var same in capabilities.Where(c => c.Label.Length > 0).GroupBy(c => string.Join(' ', With(c.Feature))))
+        foreach (var same in capabilities.Where(c => c.Label.Length > 0 && !c.IsOfAll).GroupBy(c => string.Join(' ', With(c.Feature))))
         {
             var label = string.Join("; ", same.Select(c => c.Label));
             var with = With(same.First().Feature);
