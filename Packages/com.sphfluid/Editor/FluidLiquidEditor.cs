@@ -36,7 +36,7 @@ namespace SphFluid.Editor
         {
             SerializedProperty look = edited.FindProperty("look");
             return look.hasMultipleDifferentValues ? new string[0]
-                : FluidSurfaceRendererEditor.Unread((FluidSurfaceLook)look.enumValueIndex);
+                : FluidSurfaceRendererEditor.Hidden((FluidSurfaceLook)look.enumValueIndex);
         }
     }
 }

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using UnityEditor;
 using UnityEngine;
 using Object = UnityEngine.Object;
@@ -44,19 +45,19 @@ namespace SphFluid.Editor
         /// <param name="liquid">What all of them are drawn as; null: as their rows say.</param>
         internal static string[] Hidden(SerializedObject edited, FluidLiquid liquid = null)
         {
-            var hidden = new List<string> { "m_Script" };
             SerializedProperty look = edited.FindProperty("look");
+            var hidden = new List<string> { "m_Script" };
             if (liquid != null) hidden.AddRange(new[] { "surface", "look", "water", "color", "smoothness" });
-            else if (!look.hasMultipleDifferentValues) hidden.AddRange(Unread((FluidSurfaceLook)look.enumValueIndex));
+            else if (!look.hasMultipleDifferentValues) hidden = Hidden((FluidSurfaceLook)look.enumValueIndex).ToList();
             if (!Array.Exists(edited.targetObjects, t => SimulationLiquid(t) != null)) hidden.Add("ownLook");
             return hidden.ToArray();
         }
 
-        /// <summary>Fields that a look does not read.</summary>
+        /// <summary>Fields that a look does not read, and the script's own.</summary>
         /// <param name="look">The look.</param>
         /// <returns>Names of serialised fields.</returns>
-        public static string[] Unread(FluidSurfaceLook look) => look == FluidSurfaceLook.Water ? new[] { "color", "smoothness" }
-            : new[] { "water" };
+        public static string[] Hidden(FluidSurfaceLook look) =>
+            look == FluidSurfaceLook.Water ? new[] { "m_Script", "color", "smoothness" } : new[] { "m_Script", "water" };
 
         private static FluidLiquid LiquidOf(Object[] drawn) => Array.Exists(drawn, t => ((FluidSurfaceRenderer)t).OwnLook) ? null
             : FluidInspector.LiquidOf(Array.ConvertAll(drawn, t => ((FluidSurfaceRenderer)t).Simulation));
