@@ -43,6 +43,7 @@ sub prose {
     $text =~ s/^<!-- (?:given|not compiled):.*?-->\n//gms;
     $text =~ s/^# (.+?)[ \t]*$/$page eq 'index' ? "# $1" : "# $1 {#page-$page}"/gme;
     $text =~ s/^(#{2,6}) (.+?)[ \t]*$/"$1 $2 {#" . label($2) . "}"/gme;
+    $text =~ s{(?<!\!)\[([^\[\]]+)\]\(\.\./Samples~[^()\s]*\)}{$1}g; # no pages here
     # Doxygen does not find the end of a link whose words go over the end of a line.
     $text =~ s/(?<=\[)([^\[\]\n]*)\n([^\[\]\n]*\]\()/$1 $2/g;
     $text =~ s{(?<!\!)\[([^\[\]]*)\]\(([^()\s]+)\)}{"[$1](" . target($2) . ")"}ge;

@@ -41,6 +41,9 @@ public sealed class EditorGUI
     public static void LabelField(Rect position, GUIContent label) { }
     public static void HelpBox(Rect position, string message, MessageType type) { }
 
+    public static int Popup(Rect position, int selectedIndex, string[] displayedOptions) => selectedIndex;
+    public static Rect PrefixLabel(Rect totalPosition, GUIContent label) => totalPosition;
+
     public struct DisabledScope : IDisposable
     {
         bool m_Disposed;
@@ -77,6 +80,15 @@ public sealed class EditorGUI
         }
 
         protected override void CloseScope() => _ = changed;
+    }
+
+    public class PropertyScope : GUI.Scope
+    {
+        public PropertyScope(Rect totalPosition, GUIContent label, SerializedProperty property) => content = label;
+
+        public GUIContent content { get; protected set; }
+
+        protected override void CloseScope() { }
     }
 
     public class IndentLevelScope : GUI.Scope

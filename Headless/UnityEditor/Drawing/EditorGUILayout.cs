@@ -24,6 +24,7 @@ public sealed class EditorGUILayout
     public static void LabelField(string label, string label2, params GUILayoutOption[] options) { }
     public static void LabelField(string label, string label2, GUIStyle style, params GUILayoutOption[] options) { }
     public static void LabelField(GUIContent label, params GUILayoutOption[] options) { }
+    public static Rect GetControlRect(params GUILayoutOption[] options) => default;
     public static void Space() { }
     public static void Space(float width) { }
     public static Object ObjectField(string label, Object obj, Type objType, bool allowSceneObjects, params GUILayoutOption[] options) => obj;

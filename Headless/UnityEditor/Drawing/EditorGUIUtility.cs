@@ -10,6 +10,8 @@ public sealed class EditorGUIUtility : GUIUtility
     public static float labelWidth { get; set; } = 150f;
     public static float fieldWidth { get; set; } = 50f;
 
+    public static bool editingTextField { get; set; }
+
     public static void PingObject(Object obj) { }
     public static void PingObject(int targetInstanceID) { }
 }

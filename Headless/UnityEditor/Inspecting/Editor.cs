@@ -19,6 +19,8 @@ public class Editor : ScriptableObject
     public virtual bool RequiresConstantRepaint() => false;
     public virtual bool UseDefaultMargins() => true;
     public virtual bool HasPreviewGUI() => false;
+    public virtual void OnPreviewGUI(Rect r, GUIStyle background) { }
+    public virtual Texture2D RenderStaticPreview(string assetPath, Object[] subAssets, int width, int height) => null!;
     public void Repaint() { }
 
     public bool DrawDefaultInspector()

@@ -22,6 +22,9 @@ public class GUI
     public static void Label(Rect position, GUIContent content, GUIStyle style) => Label(position, content.text, style);
 
     /// <summary>A flat colour: the image has to be <see cref="Texture2D.whiteTexture"/>; others are not drawn.</summary>
+    public static void DrawTexture(Rect position, Texture image, ScaleMode scaleMode) =>
+        DrawTexture(position, image, scaleMode, true, 0f, color, 0f, 0f);
+
     public static void DrawTexture(Rect position, Texture image, ScaleMode scaleMode, bool alphaBlend, float imageAspect, Color color, float borderWidth, float borderRadius)
     {
         if (image == Texture2D.whiteTexture) GuiPicture.Add(position, alphaBlend ? color : new Color(color.r, color.g, color.b, 1f));

@@ -6,7 +6,7 @@ namespace SphFluid.Editor
     public static class FluidPlaybackMenu
     {
         private const string Path = "GameObject/Fluid/Playback";
-        private const int AfterParticles = 14;
+        private const int AfterParticles = 24;
 
         /// <summary>
         /// A domain without liquid of its own, drawn as a surface, whose Fluid Playback plays a sequence once it has a folder.

@@ -32,8 +32,14 @@ namespace SphFluid.Editor
             Object context = message.Context;
             switch (message.Issue)
             {
-                case FluidIssue.ProfileMissing when PackageAssets.Water != null:
-                    return Change(simulation, "Use Water", () => simulation.Profile = PackageAssets.Water);
+                case FluidIssue.ProfileMissing when simulation.ActiveLiquid == null && PackageAssets.Liquid("Water") != null:
+                    return Change(simulation, "Use Water", () => simulation.Liquid = PackageAssets.Liquid("Water"));
+                case FluidIssue.LiquidOverridden when context is FluidSurfaceRenderer view:
+                    return Change(view, "Switch Own Look Off", () => view.OwnLook = false);
+                case FluidIssue.LiquidOverridden:
+                    return Change(simulation, "Clear Profile", () => simulation.Profile = null);
+                case FluidIssue.LiquidsDiffer when context is FluidEmitter emitter && simulation.ActiveLiquid != null:
+                    return Change(emitter, $"Use {simulation.ActiveLiquid.name}", () => emitter.Liquid = simulation.ActiveLiquid);
                 case FluidIssue.ShadersMissing when context is FluidProfile profile && PackageAssets.Shaders != null:
                     return Change(profile, "Use Package Shaders", () => profile.Shaders = PackageAssets.Shaders);
                 case FluidIssue.ShadersMissing when context is FluidShaderSet set && PackageAssets.Shaders != null &&

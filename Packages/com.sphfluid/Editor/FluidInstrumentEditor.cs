@@ -21,7 +21,7 @@ namespace SphFluid.Editor
             bool isProbe = target is FluidProbe;
             SerializedProperty kind = isProbe ? serializedObject.FindProperty("kind") : null;
             bool hasPatch = !isProbe || kind.hasMultipleDifferentValues || kind.enumValueIndex == (int)FluidProbeKind.WallPressure;
-            DrawPropertiesExcluding(serializedObject, hasPatch ? new[] { "m_Script" } : new[] { "m_Script", "patchSize" });
+            FluidInspector.Draw(serializedObject, hasPatch ? new string[0] : new[] { "patchSize" });
             serializedObject.ApplyModifiedProperties();
             if (serializedObject.isEditingMultipleObjects) return;
             if (Shown.Problem is FluidMessage problem) EditorGUILayout.HelpBox($"{problem.Text} {problem.Cure}", MessageType.Warning);

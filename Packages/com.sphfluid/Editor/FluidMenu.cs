@@ -12,7 +12,7 @@ namespace SphFluid.Editor
     public static class FluidMenu
     {
         private const string Root = "GameObject/Fluid/";
-        private const int Priority = 11;
+        private const int Priority = 21; // after the liquids
         private const float TankEdge = 0.03f; // m: more than the spacing, so that the floor below is no wall that the liquid tests against
 
         private static readonly Vector3 CubicMetre = new Vector3(1f, 1f, 1f);
@@ -96,6 +96,29 @@ namespace SphFluid.Editor
         [MenuItem(Root + "Flux", false, Priority + 22)]
         public static void CreateFlux(MenuCommand command) => CreatePart(command, "Fluid Flux", typeof(FluidFlux));
 
+        /// <summary>Spray, foam and bubbles, on the selected simulation or the only one.</summary>
+        /// <param name="command">Where the menu was opened.</param>
+        [MenuItem(Root + "Whitewater", false, Priority + 23)]
+        public static void CreateWhitewater(MenuCommand command) => AddTo<FluidWhitewater>(command);
+
+        /// <summary>Whether there is a simulation for whitewater that has none.</summary>
+        [MenuItem(Root + "Whitewater", true)]
+        public static bool MayCreateWhitewater() => Lacks<FluidWhitewater>(Selection.activeGameObject);
+
+        /// <summary>Diagnostics, on the selected simulation or the only one.</summary>
+        /// <param name="command">Where the menu was opened.</param>
+        [MenuItem(Root + "Diagnostics", false, Priority + 24)]
+        public static void CreateDiagnostics(MenuCommand command) => AddTo<FluidDiagnostics>(command);
+
+        /// <summary>Whether there is a simulation for diagnostics that has none.</summary>
+        [MenuItem(Root + "Diagnostics", true)]
+        public static bool MayCreateDiagnostics() => Lacks<FluidDiagnostics>(Selection.activeGameObject);
+
+        /// <summary>Figures of all liquids in a corner of the screen.</summary>
+        /// <param name="command">Where the menu was opened; its object becomes the parent.</param>
+        [MenuItem(Root + "Overlay", false, Priority + 25)]
+        public static void CreateOverlay(MenuCommand command) => CreatePart(command, "Fluid Overlay", typeof(FluidOverlay));
+
         /// <summary>Adds liquid to a domain: a box over a third of its width, all of its depth and two thirds of its height.</summary>
         /// <param name="simulation">The simulation.</param>
         /// <returns>The new volume.</returns>
@@ -147,10 +170,10 @@ namespace SphFluid.Editor
             var parent = command.context as GameObject;
             GameObject root = NewObject(name, parent, typeof(FluidSimulation), renderer);
             var simulation = root.GetComponent<FluidSimulation>();
-            simulation.Profile = PackageAssets.Water;
+            simulation.Liquid = PackageAssets.Liquid("Water");
             simulation.DomainSize = size;
             if (FluidFix.ScaleForOne(root.transform) is Vector3 scale) root.transform.localScale = scale;
-            FluidPlacement.Stand(root.transform, parent != null ? parent.transform.position : FluidPlacement.Pivot, size, margin);
+            FluidPlacement.Stand(root.transform, PlaceFor(command), size, margin);
             Selection.activeGameObject = root;
             return simulation;
         }
@@ -174,6 +197,26 @@ namespace SphFluid.Editor
             Selection.activeGameObject = created;
         });
 
+        private static void AddTo<T>(MenuCommand command) where T : Component => InOneStep("Add " + typeof(T).Name, () =>
+        {
+            var selected = command.context as GameObject;
+            if (!Lacks<T>(selected)) return; // the menu entry is disabled
+            GameObject simulation = SimulationFor(selected).gameObject;
+            Undo.AddComponent<T>(simulation);
+            Selection.activeGameObject = simulation;
+        });
+
+        private static bool Lacks<T>(GameObject selected) where T : Component =>
+            SimulationFor(selected) is FluidSimulation simulation && simulation != null && !simulation.TryGetComponent(out T _);
+
+        private static FluidSimulation SimulationFor(GameObject selected)
+        {
+            FluidSimulation chosen = SimulationOf(selected);
+            if (chosen != null) return chosen;
+            FluidSimulation[] all = SceneObjects.All<FluidSimulation>();
+            return all.Length == 1 ? all[0] : null;
+        }
+
         private static FluidSimulation SimulationOf(GameObject parent) => parent != null
             ? parent.GetComponentInParent<FluidSimulation>() : null;
 
@@ -190,10 +233,20 @@ namespace SphFluid.Editor
         private static GameObject NewObject(string name, GameObject parent, params Type[] components)
         {
             GameObject created = ObjectFactory.CreateGameObject(name, components); // registers the undo itself
+            Adopt(created, parent);
+            return created;
+        }
+
+        /// <summary>Puts a new object below a parent, or without one into the scene or prefab that is edited.</summary>
+        internal static void Adopt(GameObject created, GameObject parent)
+        {
             if (parent != null) GameObjectUtility.SetParentAndAlign(created, parent);
             else StageUtility.PlaceGameObjectInCurrentStage(created);
             GameObjectUtility.EnsureUniqueNameForSibling(created);
-            return created;
         }
+
+        /// <summary>Where what a menu makes is to stand: at its parent, else where the Scene view looks.</summary>
+        internal static Vector3 PlaceFor(MenuCommand command) => command.context is GameObject parent && parent != null
+            ? parent.transform.position : FluidPlacement.Pivot;
     }
 }

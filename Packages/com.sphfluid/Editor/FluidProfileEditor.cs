@@ -19,7 +19,7 @@ namespace SphFluid.Editor
         {
             serializedObject.Update();
             string[] unread = Unread(MethodsOf(targets));
-            DrawPropertiesExcluding(serializedObject, unread.Append("m_Script").ToArray());
+            FluidInspector.Draw(serializedObject, unread);
             if (unread.Length > 0) DrawUnread(unread);
             serializedObject.ApplyModifiedProperties();
             if (!serializedObject.isEditingMultipleObjects) (viscosity ??= new ProfileViscosity((FluidProfile)target)).Draw();
@@ -32,7 +32,7 @@ namespace SphFluid.Editor
             if (!showsOthers) return;
             EditorGUILayout.HelpBox("No simulation of the open scenes that uses this profile computes by a method that reads these.",
                 MessageType.None);
-            foreach (string field in fields) EditorGUILayout.PropertyField(serializedObject.FindProperty(field), true);
+            foreach (string field in fields) FluidInspector.DrawField(serializedObject, field);
         }
 
         /// <summary>Methods of the loaded simulations that use one of the profiles.</summary>

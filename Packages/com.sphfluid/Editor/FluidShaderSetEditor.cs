@@ -12,7 +12,7 @@ namespace SphFluid.Editor
         public override void OnInspectorGUI()
         {
             serializedObject.Update();
-            DrawPropertiesExcluding(serializedObject, "m_Script");
+            FluidInspector.Draw(serializedObject);
             serializedObject.ApplyModifiedProperties();
 
             foreach (Object edited in targets) DrawMissing((FluidShaderSet)edited);

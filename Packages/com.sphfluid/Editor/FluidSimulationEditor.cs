@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using UnityEditor;
 using UnityEditor.IMGUI.Controls;
 using UnityEngine;
@@ -11,8 +12,17 @@ namespace SphFluid.Editor
     [CustomEditor(typeof(FluidSimulation)), CanEditMultipleObjects]
     public sealed class FluidSimulationEditor : UnityEditor.Editor
     {
+        /// <summary>Fields that are always shown, in their order; the others are under Advanced.</summary>
+        internal static readonly string[] Rows =
+        {
+            "liquid", "domainSize", "particleSpacing", "method", "colliderLayers", "paused", "timeScale", "playOnEnable",
+        };
+
+        [OutlivesPlay("what the user has unfolded")] private static bool showsAdvanced, showsFigures;
+
         private readonly BoxBoundsHandle handle = new BoxBoundsHandle();
         private ValidationGUI validation;
+        private RestartHold hold;
         private FluidSimulation timed; // whose steps are timed while the inspector shows it
 
         private FluidSimulation Simulation => (FluidSimulation)target;
@@ -26,10 +36,15 @@ namespace SphFluid.Editor
         public override void OnInspectorGUI()
         {
             serializedObject.Update();
-            DrawPropertiesExcluding(serializedObject, Hidden(serializedObject));
-            if (serializedObject.ApplyModifiedProperties()) validation.Refresh();
+            foreach (string field in Rows) DrawRow(field);
+            showsAdvanced = EditorGUILayout.Foldout(showsAdvanced, "Advanced", true);
+            if (showsAdvanced) FluidInspector.Draw(serializedObject, Rows.Concat(Hidden(serializedObject)).ToArray());
+            if (serializedObject.ApplyModifiedProperties())
+            {
+                hold.Begin();
+                validation.Refresh();
+            }
 
-            EditorGUILayout.Space();
             if (serializedObject.isEditingMultipleObjects)
                 EditorGUILayout.HelpBox("Select one simulation to see its messages and figures.", MessageType.None);
             else
@@ -37,20 +52,43 @@ namespace SphFluid.Editor
             if (Application.isPlaying && !SceneObjects.IsPrefabAsset(Simulation)) DrawButtons();
         }
 
+        private void DrawRow(string field)
+        {
+            if (field == "method") MethodField.Draw(serializedObject.FindProperty(field));
+            else if (field == "particleSpacing") DrawSpacing(field);
+            else FluidInspector.DrawField(serializedObject, field);
+        }
+
+        // With the number of particles that it means.
+        private void DrawSpacing(string field)
+        {
+            using (new EditorGUILayout.HorizontalScope())
+            {
+                FluidInspector.DrawField(serializedObject, field);
+                if (!serializedObject.isEditingMultipleObjects) GUILayout.Label(CountText, EditorStyles.miniLabel, GUILayout.Width(110f));
+            }
+        }
+
+        private string CountText => Simulation.IsRunning ? $"{Simulation.ParticleCount:N0} particles"
+            : validation.Preview != null ? $"{validation.Preview.Particles:N0} particles" : "";
+
         private void DrawFindings()
         {
-            validation.Draw();
-            if (validation.Constants is FluidSolverSettings constants)
+            showsFigures = EditorGUILayout.Foldout(showsFigures, "Figures", true);
+            if (showsFigures && validation.Constants is FluidSolverSettings constants)
             {
                 DrawTimeStep(constants);
                 DrawDomain();
             }
-            if (Application.isPlaying) DrawStatus();
+            if (showsFigures && Application.isPlaying) DrawStatus();
+            EditorGUILayout.Space();
+            validation.Draw();
         }
 
         private void OnEnable()
         {
             validation = new ValidationGUI(Simulation);
+            hold = new RestartHold(targets);
             Undo.undoRedoPerformed += validation.Refresh;
             EditorApplication.hierarchyChanged += validation.Refresh;
             if (!Application.isPlaying || SceneObjects.IsPrefabAsset(Simulation)) return;
@@ -63,6 +101,7 @@ namespace SphFluid.Editor
             Undo.undoRedoPerformed -= validation.Refresh;
             EditorApplication.hierarchyChanged -= validation.Refresh;
             validation.Dispose();
+            hold.End();
             if (timed != null) EndTiming();
             timed = null;
         }
@@ -90,6 +129,7 @@ namespace SphFluid.Editor
                 Undo.RecordObjects(new Object[] { simulation, simulation.transform }, "Change Fluid Domain");
                 simulation.transform.position = simulation.LocalToWorld.MultiplyPoint3x4(handle.center);
                 simulation.DomainSize = handle.size;
+                hold.Begin();
                 validation.Refresh();
             }
         }

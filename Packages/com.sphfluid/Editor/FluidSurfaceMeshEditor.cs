@@ -18,7 +18,7 @@ namespace SphFluid.Editor
         public override void OnInspectorGUI()
         {
             serializedObject.Update();
-            DrawPropertiesExcluding(serializedObject, "m_Script");
+            FluidInspector.Draw(serializedObject);
             serializedObject.ApplyModifiedProperties();
             if (serializedObject.isEditingMultipleObjects) return;
             string unseen = Handed.WhyUnseen();

@@ -1,7 +1,9 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using UnityEditor;
 using UnityEngine;
+using Object = UnityEngine.Object;
 
 namespace SphFluid.Editor
 {
@@ -22,9 +24,12 @@ namespace SphFluid.Editor
         public override void OnInspectorGUI()
         {
             serializedObject.Update();
-            DrawPropertiesExcluding(serializedObject, Hidden(serializedObject));
+            FluidLiquid liquid = LiquidOf(targets);
+            FluidInspector.Draw(serializedObject, Hidden(serializedObject, liquid));
             serializedObject.ApplyModifiedProperties();
-            if (Array.Exists(targets, t => ((FluidSurfaceRenderer)t).Look == FluidSurfaceLook.Water))
+            if (liquid != null)
+                EditorGUILayout.HelpBox($"Drawn as '{liquid.name}'. Switch Own Look on for a look of its own.", MessageType.Info);
+            if (Array.Exists(targets, t => ((FluidSurfaceRenderer)t).ActiveLook == FluidSurfaceLook.Water))
             {
                 WaterRoute route = WaterRoute.Active;
                 EditorGUILayout.HelpBox(route.Text, route.IsComplete ? MessageType.Info : MessageType.Warning);
@@ -36,20 +41,28 @@ namespace SphFluid.Editor
         }
 
         /// <summary>Fields that none of the edited objects reads, and the script's own.</summary>
-        internal static string[] Hidden(SerializedObject edited)
+        /// <param name="edited">The objects.</param>
+        /// <param name="liquid">What all of them are drawn as; null: as their rows say.</param>
+        internal static string[] Hidden(SerializedObject edited, FluidLiquid liquid = null)
         {
             SerializedProperty look = edited.FindProperty("look");
-            return look.hasMultipleDifferentValues ? new[] { "m_Script" } : Hidden((FluidSurfaceLook)look.enumValueIndex);
+            var hidden = new List<string> { "m_Script" };
+            if (liquid != null) hidden.AddRange(new[] { "surface", "look", "water", "color", "smoothness" });
+            else if (!look.hasMultipleDifferentValues) hidden = Hidden((FluidSurfaceLook)look.enumValueIndex).ToList();
+            if (!Array.Exists(edited.targetObjects, t => SimulationLiquid(t) != null)) hidden.Add("ownLook");
+            return hidden.ToArray();
         }
 
         /// <summary>Fields that a look does not read, and the script's own.</summary>
         /// <param name="look">The look.</param>
         /// <returns>Names of serialised fields.</returns>
-        public static string[] Hidden(FluidSurfaceLook look)
-        {
-            var hidden = new List<string> { "m_Script" };
-            hidden.AddRange(look == FluidSurfaceLook.Water ? new[] { "color", "smoothness" } : new[] { "water" });
-            return hidden.ToArray();
-        }
+        public static string[] Hidden(FluidSurfaceLook look) =>
+            look == FluidSurfaceLook.Water ? new[] { "m_Script", "color", "smoothness" } : new[] { "m_Script", "water" };
+
+        private static FluidLiquid LiquidOf(Object[] drawn) => Array.Exists(drawn, t => ((FluidSurfaceRenderer)t).OwnLook) ? null
+            : FluidInspector.LiquidOf(Array.ConvertAll(drawn, t => ((FluidSurfaceRenderer)t).Simulation));
+
+        private static FluidLiquid SimulationLiquid(Object drawn) => ((FluidSurfaceRenderer)drawn).Simulation is FluidSimulation s && s != null
+            ? s.ActiveLiquid : null;
     }
 }

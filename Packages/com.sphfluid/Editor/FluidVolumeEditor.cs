@@ -17,7 +17,7 @@ namespace SphFluid.Editor
         public override void OnInspectorGUI()
         {
             serializedObject.Update();
-            DrawPropertiesExcluding(serializedObject, Hidden());
+            FluidInspector.Draw(serializedObject, Hidden());
             serializedObject.ApplyModifiedProperties();
             if (targets.Length == 1) DrawOwner((FluidVolume)target);
             else EditorGUILayout.HelpBox("Select one volume to see its messages.", MessageType.None);

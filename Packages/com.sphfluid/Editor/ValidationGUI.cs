@@ -75,6 +75,7 @@ namespace SphFluid.Editor
             if (Application.isPlaying && (simulation.IsRunning || simulation.Messages.Count > 0))
             {
                 messages = new List<FluidMessage>(simulation.Messages);
+                LiquidRules.Check(simulation, messages);
                 return;
             }
             double now = EditorApplication.timeSinceStartup;
@@ -83,10 +84,10 @@ namespace SphFluid.Editor
             FillPoints before = memory.Points;
             try
             {
-                if (memory.Look(simulation.Spec, FluidScene.Volumes(simulation), now, GoesOn, ref messages) &&
-                    ViewRules.Check(simulation) is FluidMessage unseen)
+                if (memory.Look(simulation.Spec, FluidScene.Volumes(simulation), now, GoesOn, ref messages))
                 {
-                    messages.Add(unseen);
+                    if (ViewRules.Check(simulation) is FluidMessage unseen) messages.Add(unseen);
+                    LiquidRules.Check(simulation, messages);
                 }
             }
             finally

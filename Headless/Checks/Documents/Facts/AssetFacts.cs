@@ -16,4 +16,11 @@ internal sealed class AssetFacts(ProjectPackages packages)
         if (!double.TryParse(line.Groups[1].Value, CultureInfo.InvariantCulture, out var value)) return line.Groups[1].Value;
         return words.Length > 2 && words[2] == "e" ? FactText.Scientific(value) : FactText.Number(value);
     }
+
+    /// <summary><c>names:Liquids</c>: the assets of a folder.</summary>
+    public string Names(string[] words)
+    {
+        string[] names = [.. packages.Files().Where(f => f.EndsWith(".asset", StringComparison.Ordinal) && words.Contains(Path.GetFileName(Path.GetDirectoryName(f)))).Select(f => Path.GetFileNameWithoutExtension(f))];
+        return names.Length > 0 ? FactText.List(names) : throw new UnknownFactException($"no folder '{string.Join(':', words)}' has assets");
+    }
 }

@@ -6,7 +6,7 @@ using System.Globalization;
 
 namespace Headless.Checks.Documents.Facts;
 
-/// <summary>Values that the packages' C# gives to fields and constants, and the menus of their components.</summary>
+/// <summary>Values that the packages' C# gives to fields and constants.</summary>
 internal sealed class CodeFacts
 {
     private readonly Dictionary<string, List<TypeDeclarationSyntax>> types;
@@ -19,9 +19,6 @@ internal sealed class CodeFacts
 
     /// <summary><c>const:ForceZones:MaxCount</c></summary>
     public string Constant(string[] words) => Find(words, isConstant: true);
-
-    /// <summary>Components and assets that menus offer.</summary>
-    public int Count(string attribute) => types.Values.SelectMany(t => t).Count(t => t.AttributeLists.SelectMany(l => l.Attributes).Any(a => a.Name.ToString() == attribute));
 
     /// <summary>Fields of a type that an inspector shows.</summary>
     public int ShownFields(string type) => Of(type).SelectMany(t => t.Members.OfType<FieldDeclarationSyntax>())

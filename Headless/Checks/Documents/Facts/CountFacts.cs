@@ -14,9 +14,7 @@ internal sealed partial class CountFacts(ProjectPackages packages, Lazy<CodeFact
         ["cases"] = "test cases|cases with a known answer|flows with a known answer",
         ["kernels"] = "kernels of the packages?|compute kernels",
         ["samples"] = "samples of the (?:product|package)|sample scenes",
-        ["profiles"] = "(?:liquid )?profiles of liquids",
-        ["looks"] = "presets of looks",
-        ["components"] = "components of the package",
+        ["liquids"] = "liquids in one click|liquids come with",
         ["parameters"] = "fields of (?:a|the) profile",
         ["entries"] = "entry points",
         ["methods"] = "simulation methods",
@@ -44,16 +42,11 @@ internal sealed partial class CountFacts(ProjectPackages packages, Lazy<CodeFact
         "kernels" => Shipped(".compute").Sum(f => Kernel().Count(File.ReadAllText(f))),
         "entries" => Shipped(".compute").Sum(f => Kernel().Count(File.ReadAllText(f))) + Shipped(".shader").Sum(f => Stage().Count(File.ReadAllText(f))),
         "samples" => Directory.GetFiles(Path.Combine(packages.Product, "Samples~"), "*.unity", SearchOption.AllDirectories).Length,
-        "profiles" => Assets("Profile.asset"),
         "liquids" => packages.Files().Count(f => f.EndsWith(".asset", StringComparison.Ordinal) && Path.GetFileName(Path.GetDirectoryName(f)) == "Liquids"),
-        "looks" => packages.Files().Count(f => f.EndsWith(".preset", StringComparison.Ordinal)),
-        "components" => code.Value.Count("AddComponentMenu"),
         "parameters" => code.Value.ShownFields("FluidProfile"),
         "methods" => Directory.GetFiles(packages.Product, "*Method.cs", SearchOption.AllDirectories).Count(f => Method().IsMatch(File.ReadAllText(f))),
         _ => throw new UnknownFactException($"'{name}' is none of what is counted"),
     };
-
-    private int Assets(string ending) => packages.Files().Count(f => f.EndsWith(ending, StringComparison.Ordinal));
 
     private IEnumerable<string> Shipped(string ending) =>
         packages.Files().Where(f => f.EndsWith(ending, StringComparison.Ordinal) && !("/" + packages.PathInPackage(f)).Contains("/Tests/", StringComparison.Ordinal));

@@ -8,8 +8,17 @@ internal static class FactChecks
     /// <param name="update">Whether facts and the list of claims are written anew.</param>
     public static IEnumerable<CheckReport> Run(ProjectPackages packages, string standIn, bool update)
     {
-        string[] assemblies = [standIn, Path.Combine(packages.Project, "Build", "ScriptAssemblies")];
-        var program = new MethodFacts(packages, new PackageProgram(assemblies));
+        MethodFacts program;
+        try
+        {
+            program = new MethodFacts(packages, new PackageProgram(standIn, Path.Combine(packages.Project, "Build", "ScriptAssemblies")));
+        }
+        catch (UnknownFactException e)
+        {
+            var report = new CheckReport("facts");
+            report.Findings.Add(e.Message);
+            return [report];
+        }
         return
         [
             new FactCheck(packages, FactSources.Of(packages, program)).Run(update),

@@ -25,6 +25,7 @@ internal sealed class FactSources(IReadOnlyDictionary<string, Func<string[], str
             ["default"] = words => code.Value.Default(words),
             ["const"] = words => code.Value.Constant(words),
             ["asset"] = words => new AssetFacts(packages).Find(words),
+            ["names"] = words => new AssetFacts(packages).Names(words),
             ["count"] = counts.Find,
             ["picture"] = words => pictures.Value.Find(words),
             ["gallery"] = words => new GalleryFacts(packages, pictures.Value).Find(words),

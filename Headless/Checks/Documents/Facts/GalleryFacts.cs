@@ -1,9 +1,10 @@
 using System.Text.Json;
+using System.Text.RegularExpressions;
 
 namespace Headless.Checks.Documents.Facts;
 
 /// <summary><c>gallery:samples</c>: every sample of the packages with its picture and what its package.json says; <c>gallery:twelve</c>: the first twelve pictures for a front page.</summary>
-internal sealed class GalleryFacts(ProjectPackages packages, PictureFacts pictures)
+internal sealed partial class GalleryFacts(ProjectPackages packages, PictureFacts pictures)
 {
     private const int Row = 3, OnFrontPage = 12;
 
@@ -28,10 +29,11 @@ internal sealed class GalleryFacts(ProjectPackages packages, PictureFacts pictur
 
     private string Below(string file) => Path.GetRelativePath(packages.Project, file).Replace('\\', '/');
 
+    // PourAndFill has pour-and-fill, FallingBlock falling-block-water.
     private PictureRecord? Picture(Sample sample)
     {
-        var folder = Path.GetFileName(sample.Path);
-        return pictures.All.Where(p => p.Sample == folder).OrderBy(p => p.Name.EndsWith("-water", StringComparison.Ordinal) ? 0 : 1).FirstOrDefault();
+        var name = Word().Replace(Path.GetFileName(sample.Path), "-").ToLowerInvariant();
+        return pictures.All.FirstOrDefault(p => p.Name == name) ?? pictures.All.FirstOrDefault(p => p.Name == name + "-water");
     }
 
     private static List<Sample> Samples(string package)
@@ -40,4 +42,6 @@ internal sealed class GalleryFacts(ProjectPackages packages, PictureFacts pictur
         return !json.RootElement.TryGetProperty("samples", out var samples) ? [] : [.. samples.EnumerateArray().Select(s =>
             new Sample(package, s.GetProperty("displayName").GetString()!, s.GetProperty("description").GetString()!, s.GetProperty("path").GetString()!))];
     }
+
+    [GeneratedRegex("(?<=[a-z])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])")] private static partial Regex Word();
 }

@@ -29,10 +29,11 @@ internal sealed partial class MethodClaimCheck(ProjectPackages packages, Func<st
     {
         var text = Aside().Replace(sentence, " ");
         List<string> names = [.. Method().Matches(text).Select(m => m.Value.StartsWith("thesis", StringComparison.OrdinalIgnoreCase) ? "Thesis" : m.Value).Distinct()];
-        named = names.Count > 0;
+        named = names.Count > 0 && !capability.IsOfAll;
         var denies = Denial().IsMatch(text);
-        if (!named) return holders.Count > 0 && DenialOf(capability).IsMatch(text) ? $"'{capability.Words.Match(text).Value}' is denied, which {FactText.List(holders)} has: {Shown(sentence)}" : null;
+        if (!named) return holders.Count > 0 && DenialOf(capability).IsMatch(text) ? $"'{capability.Words.Match(text).Value}' is denied, which is there: {Shown(sentence)}" : null;
         List<string> missing = [.. holders.Except(names)], wrong = [.. names.Except(holders)];
+        if (wrong.Count == 0 && HasNo(capability).IsMatch(text)) return $"{FactText.List(names)} has '{capability.Words.Match(text).Value}': {Shown(sentence)}";
         if (missing.Count == 0 && (wrong.Count == 0 || denies)) return null;
         if (denies && names.TrueForAll(n => !holders.Contains(n))) return null;
         return missing.Count > 0 && wrong.Count < names.Count
@@ -41,6 +42,9 @@ internal sealed partial class MethodClaimCheck(ProjectPackages packages, Func<st
     }
 
     private static string Shown(string sentence) => sentence.Length > 100 ? sentence[..100] + "…" : sentence;
+
+    private static Regex HasNo(Capability capability) => new(
+        $@"\b(?:Standard|Robust|Thesis)\b[^.|]{{0,40}}\b(?:(?:has|have) no|lacks?) (?:{capability.Words})", RegexOptions.CultureInvariant);
 
     private static Regex DenialOf(Capability capability) => new(
         $@"^\W*(?:No|There (?:is|are) no) (?:{capability.Words})|(?:{capability.Words}) (?:is|are) not supported|\b(?:does|do) not support (?:{capability.Words})", RegexOptions.CultureInvariant);

@@ -20,7 +20,7 @@ internal sealed class MethodFacts
         this.program = program;
         capabilities = Capability.Read(packages.Project);
         methods = program.Each("FluidMethod", Enum.Parse(program.Type("FluidMethodKind"), "Thesis")).ToDictionary(m => PackageProgram.Get(m, "Kind")!.ToString()!);
-        string[] features = [.. Enum.GetNames(program.Type("FluidMethodFeatures")).Where(n => n != "None")], listed = [.. capabilities.Select(c => c.Feature)];
+        string[] features = [.. Enum.GetNames(program.Type("FluidMethodFeatures")).Where(n => n != "None")], listed = [.. capabilities.Where(c => !c.IsOfAll).Select(c => c.Feature)];
         if (features.Except(listed).Concat(listed.Except(features)).FirstOrDefault() is { } odd)
             throw new UnknownFactException($"Facts/Data/capabilities.csv and FluidMethodFeatures do not have the same names: {odd}");
     }
@@ -28,7 +28,7 @@ internal sealed class MethodFacts
     /// <summary>The methods in the order in which documents name them.</summary>
     public IReadOnlyList<string> Names => [.. methods.Keys.OrderBy(n => Array.IndexOf(["Standard", "Robust", "Thesis"], n) is var place and >= 0 ? place : int.MaxValue)];
 
-    public IReadOnlyList<string> With(string feature) => [.. Names.Where(n => ((Enum)PackageProgram.Get(methods[n], "Features")!).HasFlag((Enum)Parse(feature)))];
+    public IReadOnlyList<string> With(string feature) => [.. Names.Where(n => feature.Length == 0 || ((Enum)PackageProgram.Get(methods[n], "Features")!).HasFlag((Enum)Parse(feature)))];
 
     public string Find(string[] words) => words switch
     {
@@ -41,12 +41,14 @@ internal sealed class MethodFacts
     /// <summary><c>bytes:Standard:particle</c>, <c>list</c>, <c>walls</c> and <c>cell</c>: GPU memory of a particle, of what it needs more for a list and for colliders, of a cell.</summary>
     public string Bytes(string[] words) => words is [var method, var part] && methods.ContainsKey(method) ? FactText.Number(Bytes(method, part)) : throw new UnknownFactException("a method and a part");
 
-    /// <summary><c>requires:Standard</c>: threads a group, buffers, those written and shared memory, as cells of a table.</summary>
+    /// <summary><c>requires:Standard</c>, <c>requires:Whitewater</c>: threads a group, buffers, those written and shared memory, as cells of a table.</summary>
     public string Requires(string[] words)
     {
-        var group = words is [var method] && methods.TryGetValue(method, out var found) ? PackageProgram.Get(found, "Shaders")! : throw new UnknownFactException("a method");
-        return string.Join(" | ", new[] { "GroupThreads", "Buffers", "WritableBuffers", "GroupMemory" }
-            .Select(n => FactText.Number(Convert.ToDouble(PackageProgram.Get(group, n) ?? throw new UnknownFactException($"a shader group has no {n}"), CultureInfo.InvariantCulture))));
+        var group = words is [var part] ? methods.TryGetValue(part, out var method) ? PackageProgram.Get(method, "Shaders")! : program.Constant("ShaderGroup", part) : throw new UnknownFactException("a part");
+        return string.Join(" | ", new[] { "GroupThreads", "Buffers", "WritableBuffers", "GroupMemory" }.Select(n => FactText.Number(Most(group, n))));
+
+        static double Most(object group, string number) =>
+            Math.Max(Convert.ToDouble(PackageProgram.Get(group, number), CultureInfo.InvariantCulture), PackageProgram.Get(group, "Shared") is { } shared ? Most(shared, number) : 0);
     }
 
     private double Bytes(string method, string part)
@@ -57,7 +59,7 @@ internal sealed class MethodFacts
             "particle" => Each(p => State(p)),
             "walls" => Each(p => State(p, withWalls: true)) - Each(p => State(p)),
             "list" => Each(p => program.Make("NeighbourList", p, program.CallOf("NeighbourList", "LengthFor", Settings(method, 1f)), true)),
-            "cell" => Math.Round((Of(State(Particles, size: 2f)) - Of(State(Particles))) / (Cells(2f) - Cells(1f))),
+            "cell" => Math.Round((Of(State(Particles, size: 6f)) - Of(State(Particles, size: 4f))) / (Cells(6f) - Cells(4f))),
             _ => throw new UnknownFactException($"'{part}' is none of particle, list, walls and cell"),
         };
 
@@ -92,7 +94,7 @@ internal sealed class MethodFacts
     private string Table()
     {
         var rows = new List<string> { $"| | {string.Join(" | ", Names)} |", $"|---|{string.Concat(Names.Select(_ => "---|"))}" };
-        foreach (var same in capabilities.Where(c => c.Label.Length > 0).GroupBy(c => string.Join(' ', With(c.Feature))))
+        foreach (var same in capabilities.Where(c => c.Label.Length > 0 && !c.IsOfAll).GroupBy(c => string.Join(' ', With(c.Feature))))
         {
             var label = string.Join("; ", same.Select(c => c.Label));
             var with = With(same.First().Feature);

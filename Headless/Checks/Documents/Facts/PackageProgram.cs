@@ -28,6 +28,9 @@ internal sealed class PackageProgram
 
     public object Make(string type, params object?[] arguments) => Type(type).GetConstructors(OfObjects).First(c => c.GetParameters().Length == arguments.Length).Invoke(arguments);
 
+    public object Constant(string type, string field) =>
+        Type(type).GetField(field, OfTypes)?.GetValue(null) ?? throw new UnknownFactException($"{type} has no '{field}'");
+
     public object Static(string type, string property) => Type(type).GetProperty(property, OfTypes)!.GetValue(null)!;
 
     public object CallOf(string type, string method, params object?[] arguments) => Type(type).GetMethods(OfTypes).First(m => m.Name == method).Invoke(null, arguments)!;

@@ -51,7 +51,7 @@ internal sealed partial class PictureCheck(ProjectPackages packages)
         var text = FactMarker.Blank(document.Text);
         foreach (Match picture in Picture().Matches(text))
         {
-            if (records.Find(r => r.Name == Path.GetFileNameWithoutExtension(picture.Groups["file"].Value)) is not { } record) continue;
+            if (records.Find(r => Path.GetFileName(r.File) == Path.GetFileName(picture.Groups["file"].Value)) is not { } record) continue;
             shown++;
             var said = Times().Match(picture.Groups["alt"].Value);
             if (said.Success && record.Moments.Length > 0 && said.Groups[1].Value != record.Times)

@@ -9,7 +9,7 @@ internal sealed class PictureFacts
     public PictureFacts(ProjectPackages packages)
     {
         project = packages.Project;
-        records = PictureRecord.Folders(packages).SelectMany(PictureRecord.Read).ToDictionary(r => r.Name);
+        records = PictureRecord.Folders(packages).SelectMany(PictureRecord.Read).DistinctBy(r => r.Name).ToDictionary(r => r.Name);
     }
 
     public IEnumerable<PictureRecord> All => records.Values;

@@ -14,7 +14,7 @@ internal sealed record PictureRecord(string Name, string File, string Sample, st
 
     /// <summary>Those of a folder of pictures.</summary>
     public static IReadOnlyList<PictureRecord> Read(string folder) => !System.IO.File.Exists(Path.Combine(folder, TableName)) ? [] :
-        [.. CsvTable.Read(Path.Combine(folder, TableName)).Rows.Select(r => new PictureRecord(Path.GetFileNameWithoutExtension(r["file"]), Path.Combine(folder, r["file"]), r["sample"], r["command"],
+        [.. CsvTable.Read(Path.Combine(folder, TableName)).Rows.Select(r => new PictureRecord(r["file"].Replace(".png", ""), Path.Combine(folder, r["file"]), r["sample"], r["command"],
             r["moments"].Split(' ', StringSplitOptions.RemoveEmptyEntries), r["particles"], r["device"], r["date"], r["data"], r["sha256"]))];
 
     /// <summary>Every folder of a project that has such a table.</summary>

@@ -43,6 +43,13 @@ public sealed class ClaimChecksTests
         Assert.That(MethodClaimCheck.Problem("No surface tension.", tension, ["Standard"], out _), Is.Not.Null);
     }
 
+    [TestCase("Stereo rendering is not supported for water.", true)]
+    [TestCase("There is no stereo.", true)]
+    [TestCase("Standard draws no differently in stereo.", false)]
+    [TestCase("Multiview is not supported in stereo.", false)]
+    public void WhatThePackageHasIsNotDenied(string sentence, bool isFound) => Assert.That(
+        MethodClaimCheck.Problem(sentence, new Capability("", "stereo", new Regex(@"\b[Ss]tereo(?: rendering)?\b")), ["Standard", "Robust", "Thesis"], out _), isFound ? Is.Not.Null : Is.Null);
+
     [Test]
     public void PagesCommentsAndMessagesAreRead()
     {

@@ -13,7 +13,7 @@ namespace SphFluid
     {
         private readonly DrainState state = new DrainState();
 
-        [SerializeField,
+        [SerializeField, Unit("m"),
             Tooltip(
                 "Edge lengths of the drain in this transform's space, in metres where its scale is one. Not used where this object has a " +
                 "Box, Sphere or Capsule Collider.")]

@@ -19,7 +19,7 @@ namespace SphFluid
         [SerializeField, Tooltip("Outline of the nozzle, across this transform's forward axis.")]
         private FluidEmitterShape shape;
 
-        [SerializeField,
+        [SerializeField, Unit("m"),
             Tooltip(
                 "Edge lengths of the nozzle along this transform's x and y axes, in metres where its scale is one. Of a line only the " +
                 "first counts, of a mesh none.")]
@@ -33,19 +33,19 @@ namespace SphFluid
         [SerializeField, Tooltip("Whether the speed at the nozzle is given, or the volume a second.")]
         private FluidEmitterFlow flow;
 
-        [SerializeField, Min(0f), Tooltip("Speed of the liquid at the nozzle in m/s.")]
+        [SerializeField, Unit("m/s"), Min(0f), Tooltip("Speed of the liquid at the nozzle in m/s.")]
         private float speed = 1f;
 
-        [SerializeField, Min(0f), Tooltip("Volume that leaves the nozzle a second in m³/s: 0.001 is a litre.")]
+        [SerializeField, Unit("m³/s"), Min(0f), Tooltip("Volume that leaves the nozzle a second in m³/s: 0.001 is a litre.")]
         private float volumeRate = 0.001f;
 
         [SerializeField, Tooltip("Flow from the moment when the component is enabled.")]
         private bool playOnEnable = true;
 
-        [SerializeField, Min(0f), Tooltip("Seconds of the liquid's time after which the flow ends. 0: it goes on.")]
+        [SerializeField, Unit("s"), Min(0f), Tooltip("Seconds of the liquid's time after which the flow ends. 0: it goes on.")]
         private float duration;
 
-        [SerializeField, Min(0f),
+        [SerializeField, Unit("s"), Min(0f),
             Tooltip("Lifetime of this emitter's liquid, in seconds of the liquid's time; then it is removed. 0: it stays.")]
         private float lifetime;
 

@@ -27,27 +27,28 @@ namespace SphFluid
                 "trigger, or liquid collides with it.")]
         private FluidZoneShape shape;
 
-        [SerializeField,
+        [SerializeField, Unit("m"),
             Tooltip(
                 "Edge lengths of the zone in this transform's space, in metres where its scale is one. A sphere has the diameter x, a " +
                 "capsule the " +
             "diameter x and the height y. Not used where the shape is the collider's.")]
         private Vector3 size = new Vector3(0.5f, 0.5f, 0.5f);
 
-        [SerializeField,
+        [SerializeField, Unit("m/s²"),
             Tooltip("Acceleration in m/s²; gravity is 9.81. Of turbulence the largest along an axis. Not used by Wind and Damping.")]
         private float strength = 10f;
 
-        [SerializeField, Tooltip("Speed of the wind in m/s.")]
+        [SerializeField, Unit("m/s"), Tooltip("Speed of the wind in m/s.")]
         private float windSpeed = 5f;
 
-        [SerializeField, Min(0f), Tooltip("Share of the velocity difference that Wind and Damping remove per second, in 1/s.")]
+        [SerializeField, Unit("1/s"), Min(0f),
+            Tooltip("Share of the velocity difference that Wind and Damping remove per second, in 1/s.")]
         private float dragRate = 2f;
 
-        [SerializeField, Min(0f), Tooltip("Size of an eddy of turbulence in metres.")]
+        [SerializeField, Unit("m"), Min(0f), Tooltip("Size of an eddy of turbulence in metres.")]
         private float eddySize = 0.2f;
 
-        [SerializeField, Min(0f), Tooltip("Seconds in which the eddies change into others. 0: they stay.")]
+        [SerializeField, Unit("s"), Min(0f), Tooltip("Seconds in which the eddies change into others. 0: they stay.")]
         private float eddyTime = 2f;
 
         [SerializeField, Tooltip("Simulation whose liquid is pushed. Empty: every liquid that the zone reaches.")]

@@ -19,14 +19,14 @@ namespace SphFluid
         [SerializeField, HideInInspector] private int version = CurrentVersion;
 
         [Header("Liquid")]
-        [SerializeField, Range(1f, 20000f), Tooltip("Rest density of the liquid in kg/m³. Water: 1000.")]
+        [SerializeField, Unit("kg/m³"), Range(1f, 20000f), Tooltip("Rest density of the liquid in kg/m³. Water: 1000.")]
         private float restDensity = 1000f;
 
-        [SerializeField, Min(0f), Tooltip("Kinematic viscosity of the liquid in m²/s. Water: 0.000001. " +
+        [SerializeField, Unit("m²/s"), Min(0f), Tooltip("Kinematic viscosity of the liquid in m²/s. Water: 0.000001. " +
             "The greater of this and the Viscosity Ratio's value acts.")]
         private float kinematicViscosity = 1e-6f;
 
-        [SerializeField, Min(0f),
+        [SerializeField, Unit("N/m"), Min(0f),
             Tooltip("Surface tension of the liquid against air in N/m. Water: 0.073. 0: none. It acts where the particle spacing " +
             "is at most the capillary length, 2.7 mm for water, or with Tension At Any Spacing. Standard method only.")]
         private float surfaceTension;
@@ -38,7 +38,7 @@ namespace SphFluid
             "It costs two more passes over all neighbours a step. Standard method only.")]
         private bool tensionAtAnySpacing;
 
-        [SerializeField, Range(0f, 180f),
+        [SerializeField, Unit("°"), Range(0f, 180f),
             Tooltip("Angle in degrees at which the liquid's surface meets walls, measured in the liquid: below 90 it wets them, " +
             "above it draws back from them. Acts with Surface Tension. Standard method only.")]
         private float contactAngle = 90f;

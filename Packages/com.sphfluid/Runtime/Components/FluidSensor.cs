@@ -28,16 +28,17 @@ namespace SphFluid
             "about this object along its forward axis, in m³/s.")]
         private FluidSensorKind kind = FluidSensorKind.Wetness;
 
-        [SerializeField, Min(0f), Tooltip("How far above this object, along its up axis, the level is looked for, in metres. Level only.")]
+        [SerializeField, Unit("m"), Min(0f),
+            Tooltip("How far above this object, along its up axis, the level is looked for, in metres. Level only.")]
         private float length = 1f;
 
-        [SerializeField,
+        [SerializeField, Unit("m"),
             Tooltip(
                 "Edge lengths of the box along this object's axes, in metres, or of the rectangle along the first two. Fill Level and " +
                 "Flow only.")]
         private Vector3 size = new Vector3(0.2f, 0.2f, 0.2f);
 
-        [SerializeField, Min(0f),
+        [SerializeField, Unit("s"), Min(0f),
             Tooltip(
                 "Time over which the reading is averaged, in simulated seconds. 0: not at all. Pressure needs about 0.1, Flow about 0.5.")]
         private float averagingTime;

@@ -72,6 +72,9 @@ namespace SphFluid
         /// <summary>Surfaces that were made since drawing began.</summary>
         internal int Recordings => drawing?.Surface.Recordings ?? 0;
 
+        /// <summary>The look that it is drawn in: its liquid's or its own.</summary>
+        internal FluidSurfaceLook ActiveLook => LookOf(Simulation != null ? LiquidOf(Simulation) : null);
+
         /// <summary>Strength of the shadow that it casts as water, 0 to 1; 0 with another look, or where it casts none.</summary>
         internal float WaterShadow => CastShadows ? ShadowOf(Simulation != null ? LiquidOf(Simulation) : null) : 0f;
 

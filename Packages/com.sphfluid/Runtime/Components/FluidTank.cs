@@ -18,7 +18,7 @@ namespace SphFluid
         [SerializeField, Tooltip("Simulation whose domain is shown. Empty: the one among this object's parents.")]
         private FluidSimulation simulation;
 
-        [SerializeField, Min(0f), Tooltip("Thickness of the bars along the edges in metres. 0: no bars.")]
+        [SerializeField, Unit("m"), Min(0f), Tooltip("Thickness of the bars along the edges in metres. 0: no bars.")]
         private float edge = 0.02f;
 
         [SerializeField, Tooltip("Add a pane above the liquid.")]

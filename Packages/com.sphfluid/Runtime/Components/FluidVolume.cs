@@ -18,14 +18,14 @@ namespace SphFluid
             "Mesh: the inside of a closed mesh. Vessel: the hollow of the colliders around this object, up to a level.")]
         private FluidVolumeShape shape;
 
-        [SerializeField,
+        [SerializeField, Unit("m"),
             Tooltip("Edge lengths of the box in this transform's space, in metres where its scale is one. A sphere touches its faces.")]
         private Vector3 size = new Vector3(0.5f, 0.5f, 0.5f);
 
         [SerializeField, Tooltip("Closed mesh that is filled, with Read/Write on. Empty: that of this object's Mesh Filter.")]
         private Mesh mesh;
 
-        [SerializeField, Min(0f),
+        [SerializeField, Unit("m"), Min(0f),
             Tooltip("Height of the liquid's surface above this object in metres, against gravity. The object lies in the hollow, " +
             "below the surface.")]
         private float level = 0.25f;
@@ -34,7 +34,8 @@ namespace SphFluid
             Tooltip("The faces of the domain hold the liquid too. Off: liquid that reaches one has run out of the vessel, an error.")]
         private bool domainHolds;
 
-        [SerializeField, Tooltip("Velocity of the liquid at the start in m/s, in this transform's axes; scale does not change it.")]
+        [SerializeField, Unit("m/s"),
+            Tooltip("Velocity of the liquid at the start in m/s, in this transform's axes; scale does not change it.")]
         private Vector3 initialVelocity;
 
         [SerializeField, Tooltip("Simulation that this liquid belongs to. Empty: the simulation among its parents, else the only one " +

@@ -26,7 +26,7 @@ namespace SphFluid
         [SerializeField, Min(0f), Tooltip("How much whitewater agitated liquid makes, relative to the default.")]
         private float amount = 1f;
 
-        [SerializeField, Min(0.01f), Tooltip("How long foam lies on still water, at most [s]. On fast water it goes sooner.")]
+        [SerializeField, Unit("s"), Min(0.01f), Tooltip("How long foam lies on still water, at most [s]. On fast water it goes sooner.")]
         private float foamLife = 3f;
 
         [SerializeField, Min(0f),

@@ -25,7 +25,7 @@ namespace SphFluid.Tests
         {
             FluidSimulation simulation = rig.Create();
             simulation.Profile = null;
-            LogAssert.Expect(LogType.Error, new Regex(@"\[SPH Fluid\] 'Fluid': No profile is assigned\. Assign a Fluid Profile"));
+            LogAssert.Expect(LogType.Error, new Regex(@"\[SPH Fluid\] 'Fluid': No liquid is assigned\. Assign a Fluid Liquid"));
             yield return null;
             yield return null;
             yield return null;

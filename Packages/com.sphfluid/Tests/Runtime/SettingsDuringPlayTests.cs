@@ -46,6 +46,71 @@ namespace SphFluid.Tests
         }
 
         [UnityTest]
+        public IEnumerator ADraggedDomainStartsAgainOnceWhenLetGo()
+        {
+            int starts = 0;
+            simulation.Started += _ => starts++;
+            FluidSolver solver = simulation.Solver;
+            simulation.StartsLater = true;
+            for (int i = 1; i <= 3; i++)
+            {
+                simulation.DomainSize = new Vector3(0.4f + 0.1f * i, 0.4f, 0.4f);
+                yield return null;
+                Assert.That(simulation.Solver, Is.SameAs(solver), "the liquid stays while it is dragged");
+            }
+            simulation.StartsLater = false;
+            yield return null;
+            yield return null;
+            Assert.That(starts, Is.EqualTo(1));
+            Assert.That(simulation.Solver.Settings.DomainSize.x, Is.EqualTo(0.7f).Within(1e-6f));
+        }
+
+        [UnityTest]
+        public IEnumerator AnotherLiquidStartsAgainAndOnlyItsLookDoesNot()
+        {
+            simulation.Profile = null;
+            FluidLiquid water = Liquid("Water");
+            simulation.Liquid = water;
+            yield return null;
+            yield return null;
+            FluidSolver solver = simulation.Solver;
+            Assert.That(simulation.IsRunning, simulation.StatusMessage);
+            simulation.Liquid = Object.Instantiate(water);
+            simulation.Liquid.Water.ColorAtOneMetre = Color.red;
+            yield return null;
+            Assert.That(simulation.Solver, Is.SameAs(solver));
+            Object.Destroy(simulation.Liquid);
+            simulation.Liquid = Liquid("Lava");
+            yield return null;
+            yield return null;
+            Assert.That(simulation.Solver, Is.Not.SameAs(solver));
+            Assert.That(simulation.Solver.Settings.RestDensity, Is.EqualTo(2700f));
+        }
+
+        [UnityTest]
+        public IEnumerator ALiquidThatAnEmitterGaveStaysWhenTheEmitterIsDisabled()
+        {
+            GameObject tap = rig.NewObject("Tap");
+            tap.transform.SetParent(simulation.transform, false);
+            tap.transform.localPosition = 0.15f * Vector3.up;
+            FluidEmitter emitter = tap.AddComponent<FluidEmitter>();
+            emitter.Liquid = Liquid("Milk");
+            simulation.Profile = null;
+            yield return null;
+            yield return null;
+            FluidSolver solver = simulation.Solver;
+            Assert.That(simulation.ActiveLiquid, Is.EqualTo(emitter.Liquid));
+            Assert.That(solver.Settings.RestDensity, Is.EqualTo(1030f));
+            emitter.enabled = false;
+            yield return null;
+            yield return null;
+            Assert.That(simulation.Solver, Is.SameAs(solver));
+        }
+
+        private static FluidLiquid Liquid(string name) =>
+            TestAssets.Load<FluidLiquid>($"Packages/com.sphfluid/Runtime/Assets/Liquids/{name}.asset");
+
+        [UnityTest]
         public IEnumerator ThesisSwitchesGoOnButTheSearchStartsAgain()
         {
             simulation.Method = FluidMethodKind.Thesis;

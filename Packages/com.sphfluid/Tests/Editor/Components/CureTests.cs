@@ -17,6 +17,8 @@ namespace SphFluid.Tests
     {
         private const string Number = @"([0-9.,E-]*[0-9])";
 
+        private const string WaterPath = "Packages/com.sphfluid/Runtime/Assets/Liquids/Water.asset";
+
         private SimulationRig rig;
         private FluidSimulation simulation;
         private FluidVolume volume;
@@ -26,8 +28,12 @@ namespace SphFluid.Tests
         private static readonly (string name, string says, Action<CureTests> cause,
             (string words, Action<CureTests> apply)[] cures)[] Cases =
         {
-            ("no profile", "No profile", t => t.simulation.Profile = null,
-                new (string, Action<CureTests>)[] { ("Assign a Fluid Profile", t => t.simulation.Profile = t.rig.Profile) }),
+            ("no profile", "No liquid is assigned", t => t.simulation.Profile = null,
+                new (string, Action<CureTests>)[] 
+            {
+                ("Assign a Fluid Liquid", t => t.simulation.Liquid = TestAssets.Load<FluidLiquid>(WaterPath)),
+                ("or a Fluid Profile", t => t.simulation.Profile = t.rig.Profile),
+            }),
             ("no shaders", "no shader set", t => t.rig.Profile.Shaders = null,
                 new (string, Action<CureTests>)[] { ("DefaultFluidShaderSet", t => t.rig.Profile.Shaders = TestAssets.Water.Shaders) }),
             ("scaled", "needs scale 1", t => t.simulation.transform.localScale = 2f * Vector3.one,

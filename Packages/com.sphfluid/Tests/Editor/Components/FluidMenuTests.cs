@@ -18,7 +18,7 @@ namespace SphFluid.Tests
             FluidMenu.CreateTank, FluidMenu.CreateWithSurface, FluidMenu.CreateWithParticles, FluidMenu.CreateEmitter,
             FluidMenu.CreateVolume,
             FluidMenu.CreateSphere, FluidMenu.CreateVessel, FluidMenu.CreateDrain, FluidMenu.CreateForceZone, FluidMenu.CreateSensor,
-            FluidMenu.CreateProbe, FluidMenu.CreateGauge, FluidMenu.CreateFlux,
+            FluidMenu.CreateProbe, FluidMenu.CreateGauge, FluidMenu.CreateFlux, FluidMenu.CreateOverlay,
         };
 
         [SetUp]
@@ -39,14 +39,17 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void TheTankIsTheFirstEntryAndNoneRepeatsTheWordFluid()
+        public void LiquidsComeFirstThenTheTankAndNoneRepeatsTheWordFluid()
         {
-            var entries = typeof(FluidMenu).GetMethods().SelectMany(m => m.GetCustomAttributes(typeof(MenuItem), false)).Cast<MenuItem>()
-                .OrderBy(e => e.priority).Select(e => e.menuItem).ToArray();
-            Assert.That(entries.First(), Is.EqualTo("GameObject/Fluid/Tank"));
-            Assert.That(entries,
+            var entries = new[] { typeof(FluidMenu), typeof(FluidLiquidMenu) }.SelectMany(t => t.GetMethods()).SelectMany(m => m.GetCustomAttributes(typeof(MenuItem), false)).Cast<MenuItem>()
+                .Where(e => !e.validate).OrderBy(e => e.priority).ToArray();
+            Assert.That(entries.Last().priority, Is.LessThan(50), "entries beyond are not in the Hierarchy's menu");
+            string[] paths = entries.Select(e => e.menuItem).ToArray();
+            Assert.That(paths[0], Is.EqualTo("GameObject/Fluid/Liquid/Water"));
+            Assert.That(paths.First(e => !e.Contains("/Liquid/")), Is.EqualTo("GameObject/Fluid/Tank"));
+            Assert.That(paths,
                 Is.SupersetOf(new[] { "GameObject/Fluid/Surface", "GameObject/Fluid/Particles", "GameObject/Fluid/Emitter" }));
-            Assert.That(entries.Select(e => e.Substring("GameObject/Fluid/".Length)), Has.None.Contains("Fluid"));
+            Assert.That(paths.Select(e => e.Substring("GameObject/Fluid/".Length)), Has.None.Contains("Fluid"));
         }
 
         [Test]
@@ -54,7 +57,8 @@ namespace SphFluid.Tests
         {
             FluidMenu.CreateTank(Nowhere);
             FluidSimulation simulation = Only<FluidSimulation>();
-            Assert.That(simulation.Profile.name, Is.EqualTo("WaterProfile"));
+            Assert.That(simulation.Liquid.name, Is.EqualTo("Water"));
+            Assert.That(simulation.OwnProfile, Is.Null);
             Assert.That(simulation.GetComponent<FluidSurfaceRenderer>().Look, Is.EqualTo(FluidSurfaceLook.Water));
             Assert.That(Only<FluidVolume>().transform.parent, Is.EqualTo(simulation.transform));
             var glass = Only<FluidTank>();
@@ -156,6 +160,26 @@ namespace SphFluid.Tests
             simulation.transform.SetPositionAndRotation(new Vector3(1f, 2f, 3f), Quaternion.Euler(0f, 30f, 20f));
             FluidMenu.CreateEmitter(new MenuCommand(simulation.GetComponentInChildren<FluidVolume>().gameObject));
             CheckEmitter(simulation);
+        }
+
+        [Test]
+        public void WhitewaterAndDiagnosticsComeToTheOnlySimulationOrTheSelectedOne()
+        {
+            Assert.That(FluidMenu.MayCreateWhitewater(), Is.False);
+            FluidMenu.CreateWithSurface(Nowhere);
+            FluidSimulation first = Only<FluidSimulation>();
+            Selection.activeGameObject = null;
+            Assert.That(FluidMenu.MayCreateWhitewater(), Is.True);
+            FluidMenu.CreateWhitewater(Nowhere);
+            Assert.That(Only<FluidWhitewater>().gameObject, Is.EqualTo(first.gameObject));
+            Assert.That(FluidMenu.MayCreateWhitewater(), Is.False);
+            FluidMenu.CreateWithSurface(Nowhere);
+            Selection.activeGameObject = null;
+            Assert.That(FluidMenu.MayCreateDiagnostics(), Is.False, "of two none is meant");
+            FluidMenu.CreateDiagnostics(new MenuCommand(first.GetComponentInChildren<FluidVolume>().gameObject));
+            Assert.That(Only<FluidDiagnostics>().gameObject, Is.EqualTo(first.gameObject));
+            Undo.PerformUndo();
+            Assert.That(SceneObjects.All<FluidDiagnostics>(), Is.Empty);
         }
 
         [Test]

@@ -16,6 +16,34 @@ namespace SphFluid.Tests
         }
 
         [Test]
+        public void ThatColourMayBeForAnotherDistance()
+        {
+            var look = new FluidWaterLook { ColorAtOneMetre = new Color(0.3f, 0.6f, 0.8f), Visibility = float.PositiveInfinity };
+            Vector4 perMetre = look.Extinction;
+            look.AbsorptionDistance = 0.1f;
+            for (int c = 0; c < 3; c++) Assert.AreEqual(10f * perMetre[c], look.Extinction[c], 1e-3f);
+            look.AbsorptionDistance = 0f;
+            Assert.IsFalse(float.IsInfinity(look.Extinction.x));
+        }
+
+        [TestCase(0.02f, 0.933f)]
+        [TestCase(0.3f, 0f)]
+        [TestCase(8f, 0f)]
+        public void OnlyLiquidOfAShortSightIsLitAsAMattBody(float visibility, float matt) =>
+            Assert.AreEqual(matt, new FluidWaterLook { Visibility = visibility }.Matt, 1e-3f);
+
+        [Test]
+        public void WaterShinesNotAndMirrorsTwoPercent()
+        {
+            var look = new FluidWaterLook();
+            Assert.AreEqual(new Vector4(0f, 0f, 0f, 0.02f), look.Surface);
+            look.Emission = new Color(3f, 0f, 0f);
+            look.Reflectance = 2f;
+            Assert.Greater(look.Surface.x, 1f);
+            Assert.AreEqual(1f, look.Surface.w);
+        }
+
+        [Test]
         public void AtTheVisibilityTwoPercentAreLeft()
         {
             var look = new FluidWaterLook { ColorAtOneMetre = Color.white, Visibility = 5f };

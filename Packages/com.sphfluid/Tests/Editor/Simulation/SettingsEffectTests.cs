@@ -135,6 +135,12 @@ namespace SphFluid.Tests
             if (type == typeof(LayerMask)) return new object[] { (LayerMask)(((LayerMask)value).value ^ 1) };
             if (type.IsEnum) return Enum.GetValues(type).Cast<object>().Where(v => !v.Equals(value));
             if (type == typeof(FluidProfile)) return new object[] { other };
+            if (type == typeof(FluidLiquid))
+            {
+                var packed = ScriptableObject.CreateInstance<FluidLiquid>();
+                packed.StartRelaxation = FluidStartRelaxation.Packed;
+                return new object[] { packed };
+            }
             if (type == typeof(FluidShaderSet)) return new object[] { ScriptableObject.CreateInstance<FluidShaderSet>() };
             throw new NotSupportedException($"No other value of {type} is known; add one.");
         }
