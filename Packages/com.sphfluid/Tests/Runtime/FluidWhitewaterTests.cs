@@ -52,6 +52,26 @@ namespace SphFluid.Tests
         }
 
         [UnityTest]
+        public IEnumerator ALiquidWithoutWhitewaterMakesNoneUnlessTheComponentHasALookOfItsOwn()
+        {
+            FluidSimulation simulation = Splash(out FluidWhitewater whitewater);
+            var liquid = ScriptableObject.CreateInstance<FluidLiquid>();
+            liquid.Whitewater = false;
+            simulation.Liquid = liquid;
+            for (int frame = 0; frame < 3; frame++) yield return null;
+            Assert.That(simulation.IsRunning, simulation.StatusMessage);
+            Assert.That(whitewater.GpuBytes, Is.Zero);
+            whitewater.OwnLook = true;
+            yield return null;
+            Assert.That(whitewater.GpuBytes, Is.Not.Zero);
+            whitewater.OwnLook = false;
+            liquid.Whitewater = true;
+            yield return null;
+            Assert.That(whitewater.GpuBytes, Is.Not.Zero);
+            Object.DestroyImmediate(liquid);
+        }
+
+        [UnityTest]
         public IEnumerator EqualRunsHaveEqualWhitewaterAndTheLiquidDoesNotFeelIt()
         {
             FluidSimulation without = Splash(out FluidWhitewater off);

@@ -52,15 +52,15 @@ namespace SphFluid.Tests
         [Test]
         public void ItsMenuEntryLeavesAWorkingSetUpOnTheFloorAndGoesInOneUndo([ValueSource(nameof(Names))] string name)
         {
-            GameObject.CreatePrimitive(PrimitiveType.Plane).transform.position = new Vector3(0f, 0.7f, 0f);
+            GameObject.CreatePrimitive(PrimitiveType.Plane).transform.position = new Vector3(0f, -0.4f, 0f);
             Undo.IncrementCurrentGroup();
             Choose(name);
             FluidSimulation simulation = SceneObjects.All<FluidSimulation>().Single();
             Assert.That(simulation.Liquid, Is.EqualTo(PackageAssets.Liquid(name)));
             Assert.That(simulation.OwnProfile, Is.Null);
             Assert.That(Selection.activeGameObject, Is.EqualTo(simulation.gameObject));
-            Assert.That(simulation.transform.root.position.y, Is.EqualTo(0.7f).Within(1e-5f), "it stands on its root");
-            float gap = simulation.transform.position.y - 0.5f * simulation.DomainSize.y - 0.7f;
+            Assert.That(simulation.transform.root.position.y, Is.EqualTo(-0.4f).Within(1e-5f), "it stands on its root");
+            float gap = simulation.transform.position.y - 0.5f * simulation.DomainSize.y + 0.4f;
             Assert.That(gap, Is.EqualTo(SceneObjects.All<FluidTank>().Single().Edge).Within(1e-5f));
             Assert.That(gap, Is.GreaterThan(simulation.Spacing), "the floor is no wall of the liquid's");
             Assert.That(simulation.TryGetComponent(out FluidWhitewater _), Is.EqualTo(simulation.Liquid.Whitewater));
