@@ -82,7 +82,7 @@ namespace SphFluid
             {
                 Prepare(simulation.Profile.Shaders);
                 flow.Advance(solver, simulation.SimulatedTime, new WhitewaterSettings(MaxParticles, Amount, FoamLife));
-                drawing.Draw(flow.Buffers, solver.Settings.Spacing, Size, Color, Placement(solver.Settings));
+                drawing.Draw(flow.Buffers, solver.Settings.Spacing, Size, Color, Placement(solver.Settings), simulation.SimulatedTime);
             }
             catch (FluidDeviceException exception)
             {
