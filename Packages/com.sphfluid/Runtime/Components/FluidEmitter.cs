@@ -12,6 +12,10 @@ namespace SphFluid
     {
         private readonly EmitterState state = new EmitterState();
 
+        [SerializeField,
+            Tooltip("What flows. A simulation without a liquid of its own takes it; with one it must be the same. Empty: what is there.")]
+        private FluidLiquid liquid;
+
         [SerializeField, Tooltip("Outline of the nozzle, across this transform's forward axis.")]
         private FluidEmitterShape shape;
 
@@ -53,6 +57,12 @@ namespace SphFluid
         [SerializeField, Tooltip("Simulation that the liquid belongs to. Empty: the simulation among its parents, else the only one " +
             "in the scene, else the one whose domain holds this object.")]
         private FluidSimulation simulation;
+
+        /// <summary>
+        /// What flows: a simulation without a liquid of its own takes that of its first emitter with one; null: what is there. Another
+        /// than the simulation's is reported as <see cref="FluidIssue.LiquidsDiffer"/>.
+        /// </summary>
+        public FluidLiquid Liquid { get => liquid; set => liquid = value; }
 
         /// <summary>Outline of the nozzle.</summary>
         public FluidEmitterShape Shape { get => Limits.Known(shape); set => shape = value; }
@@ -118,6 +128,7 @@ namespace SphFluid
                 {
                     Owner = this,
                     State = state,
+                    Liquid = liquid,
                     Position = transform.position,
                     Rotation = transform.rotation,
                     Shape = Shape,

@@ -47,6 +47,14 @@ namespace SphFluid
             return count == 1 ? only : holder;
         }
 
+        /// <summary>What the first of some emitters with a liquid gives; null: none says.</summary>
+        public static FluidLiquid LiquidOf(List<EmitterSpec> emitters)
+        {
+            foreach (EmitterSpec emitter in emitters)
+                if (emitter.Liquid != null) return (FluidLiquid)emitter.Liquid;
+            return null;
+        }
+
         /// <summary>Looks for all that comes into a liquid, leaves it or acts on it, but not for its volumes.</summary>
         /// <param name="simulation">The simulation.</param>
         /// <param name="parts">Receives it.</param>

@@ -26,6 +26,7 @@ namespace SphFluid
         private readonly FluidMessageLog messages = new FluidMessageLog();
         private FluidRun run;
         private FluidQueries queries;
+        private FluidLiquid given; // by an emitter
         private bool requested;
 
         /// <summary>Raised after a start or a new start.</summary>
@@ -65,6 +66,9 @@ namespace SphFluid
         /// What Automatic has picked, why, and what else it considered; null with another method, and before the first start.
         /// </summary>
         public FluidMethodChoice MethodChoice => FluidMethods.IsChosen(Method) ? automatic.Choice : null;
+
+        /// <inheritdoc/>
+        public override FluidLiquid ActiveLiquid => Liquid != null ? Liquid : given;
 
         /// <summary>The solver; null when stopped. A new start makes a new one.</summary>
         public FluidSolver Solver => run?.Solver;
@@ -138,6 +142,11 @@ namespace SphFluid
         /// </summary>
         public double StepMilliseconds => Timer?.MillisecondsAFrame ?? 0.0;
 
+        /// <summary>
+        /// Whether a new start waits, and the liquid meanwhile: while the user drags or types a setting that needs one.
+        /// </summary>
+        internal bool StartsLater { get; set; }
+
         /// <summary>GPU time of the steps, between <see cref="BeginTiming"/> and <see cref="EndTiming"/>; else null.</summary>
         internal StepTimer Timer => timing.Timer;
 
@@ -153,6 +162,8 @@ namespace SphFluid
             get
             {
                 FluidScene.Gather(this, parts);
+                // An emitter that is disabled takes nothing away from a running liquid.
+                if (run == null || given == null) given = FluidScene.LiquidOf(parts.Emitters) ?? given;
                 return OwnSpec;
             }
         }
@@ -433,6 +444,7 @@ namespace SphFluid
         {
             ActiveList.Remove(this);
             Release();
+            given = null;
         }
 
         private void OnDestroy()
@@ -453,6 +465,7 @@ namespace SphFluid
             FluidSpec spec = Spec;
             if (run == null || !run.Key.Equals(FluidStartKey.Create(spec)))
             {
+                if (run != null && StartsLater) return;
                 if (!failed.IsUnchanged(spec, Sources())) StartSimulation();
                 if (!IsPlayedBack) return; // what is played is there at once
             }

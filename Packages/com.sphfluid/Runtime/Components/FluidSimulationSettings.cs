@@ -9,14 +9,14 @@ namespace SphFluid
     /// </summary>
     public abstract class FluidSimulationSettings : MonoBehaviour
     {
-        [SerializeField, Tooltip("What the liquid is: constants and shaders.")]
-        private FluidProfile profile;
+        [SerializeField,
+            Tooltip("What it is filled with: how it moves, how it looks, and its spray and foam. Another one starts it again.")]
+        private FluidLiquid liquid;
 
-        [Header("Domain")]
-        [SerializeField, Tooltip("Edge lengths of the box that holds the liquid, in metres. A change starts the liquid again.")]
+        [SerializeField, Unit("m"), Tooltip("Edge lengths of the box that holds the liquid, in metres. A change starts the liquid again.")]
         private Vector3 domainSize = new Vector3(1f, 1f, 1f);
 
-        [SerializeField, Min(0f),
+        [SerializeField, Min(0f), Unit("m"),
             Tooltip("Distance of neighbouring particles at rest in metres. Half of it means 8 times as many particles " +
             "and twice as many steps. A change starts the liquid again.")]
         private float particleSpacing = 0.025f;
@@ -28,31 +28,8 @@ namespace SphFluid
             "which picks one at the start that fits the Frame Budget on this device. A change starts the liquid again.")]
         private FluidMethodKind method = FluidMethodKind.Standard;
 
-        [SerializeField, Min(0f),
-            Tooltip(
-                "Time that this liquid's steps may take of a frame on the graphics device in milliseconds, with the method Automatic. In " +
-                "play a change " +
-            "chooses again, and another method starts the liquid again.")]
-        private float frameBudget = 4f;
-
-        [SerializeField, Min(0f),
-            Tooltip("Frames a second that the Frame Budget is for. 0: the application's target frame rate, or 60 where it sets none.")]
-        private float budgetFrameRate;
-
         [SerializeField, Tooltip("Layers whose colliders the liquid collides with.")]
         private LayerMask colliderLayers = ~0;
-
-        [Header("Time")]
-        [SerializeField, Tooltip("Automatic: the time step follows from spacing, stiffness and viscosity. Fixed: as given. " +
-            "Adaptive: equal parts of each frame, shorter when the liquid is faster than expected.")]
-        private FluidTimeStepMode timeStepMode = FluidTimeStepMode.Automatic;
-
-        [SerializeField, Min(0f), Tooltip("Time step in seconds when Time Step Mode is Fixed.")]
-        private float fixedTimeStep = 0.0005f;
-
-        [SerializeField,
-            Tooltip("Liquid that rests takes no steps until something touches it: a collider that moves, a changed setting, a script.")]
-        private bool sleepsAtRest = true;
 
         [SerializeField,
             Tooltip("The liquid stops, but is still drawn. Colliders that move meanwhile catch up with the first step afterwards.")]
@@ -64,50 +41,76 @@ namespace SphFluid
                 "acts besides.")]
         private float timeScale = 1f;
 
-        [SerializeField, Range(1, 1000),
-            Tooltip("Most steps a frame. If a frame needs more, the liquid falls behind real time, and the console says so.")]
-        private int maxSubstepsPerFrame = 64;
+        [SerializeField, Tooltip("Start with the scene or when the component is enabled.")]
+        private bool playOnEnable = true;
 
-        [SerializeField, Min(0f),
-            Tooltip("Fastest speed to be ready for in m/s, 1000 at most, when something makes the liquid faster than its fall and the " +
-            "colliders, or where the speed of sound does not follow those. 0: they decide.")]
-        private float expectedSpeed;
+        [SerializeField, Tooltip("Constants of the motion and shaders, in place of those of the liquid. Empty: the liquid's.")]
+        private FluidProfile profile;
 
-        [Header("Gravity")]
-        [SerializeField, Tooltip("Take gravity from Physics.gravity.")]
-        private bool useSceneGravity = true;
+        [SerializeField, Min(0f), Unit("ms"),
+            Tooltip(
+                "Time that this liquid's steps may take of a frame on the graphics device in milliseconds, with the method Automatic. In " +
+                "play a change " +
+            "chooses again, and another method starts the liquid again.")]
+        private float frameBudget = 4f;
 
-        [SerializeField, Tooltip("Gravity in m/s² in world space when Use Scene Gravity is off.")]
-        private Vector3 gravity = new Vector3(0f, -9.81f, 0f);
+        [SerializeField, Min(0f), Unit("Hz"),
+            Tooltip("Frames a second that the Frame Budget is for. 0: the application's target frame rate, or 60 where it sets none.")]
+        private float budgetFrameRate;
 
-        [SerializeField, Tooltip("A force by position besides gravity, along the axes of the domain box.")]
-        private FluidBodyForce bodyForce;
-
-        [Header("Faces")]
+        [Header("Faces and forces")]
         [SerializeField,
             Tooltip(
                 "What the faces of the domain box do: walls at rest, moving walls that drag, openings into the opposite face, or " +
                 "openings through which liquid leaves.")]
         private FluidBoundaries boundaries;
 
-        [Header("Start")]
-        [SerializeField, Tooltip("Start with the scene or when the component is enabled.")]
-        private bool playOnEnable = true;
+        [SerializeField, Tooltip("Take gravity from Physics.gravity.")]
+        private bool useSceneGravity = true;
 
+        [SerializeField, Unit("m/s²"), Tooltip("Gravity in m/s² in world space when Use Scene Gravity is off.")]
+        private Vector3 gravity = new Vector3(0f, -9.81f, 0f);
+
+        [SerializeField, Tooltip("A force by position besides gravity, along the axes of the domain box.")]
+        private FluidBodyForce bodyForce;
+
+        [Header("Start")]
         [SerializeField,
-            Tooltip("Seed of the random offsets at the start. The same seed gives the same start. A change starts the liquid again.")]
-        private int seed = 1;
+            Tooltip(
+                "How the liquid is brought to rest before the first frame. None: as its liquid says. Packed: without gravity, particles " +
+                "part that lie too near to " +
+            "each other or to walls. Hydrostatic: under gravity. Takes hundreds to thousands of steps at the start, without Start " +
+            "Jitter; method Standard only. A change starts the liquid again.")]
+        private FluidStartRelaxation startRelaxation;
 
         [SerializeField, Range(0f, FluidSpawner.MaxJitter),
             Tooltip("Largest random offset of a particle at the start as a fraction of the spacing. A change starts the liquid again.")]
         private float startJitter = 0.02f;
 
         [SerializeField,
-            Tooltip(
-                "How the liquid is brought to rest before the first frame. Packed: without gravity, particles part that lie too near to " +
-            "each other or to walls. Hydrostatic: under gravity. Takes hundreds to thousands of steps at the start, without Start " +
-            "Jitter; method Standard only. A change starts the liquid again.")]
-        private FluidStartRelaxation startRelaxation;
+            Tooltip("Seed of the random offsets at the start. The same seed gives the same start. A change starts the liquid again.")]
+        private int seed = 1;
+
+        [Header("Time steps")]
+        [SerializeField,
+            Tooltip("Liquid that rests takes no steps until something touches it: a collider that moves, a changed setting, a script.")]
+        private bool sleepsAtRest = true;
+
+        [SerializeField, Min(0f), Unit("m/s"),
+            Tooltip("Fastest speed to be ready for in m/s, 1000 at most, when something makes the liquid faster than its fall and the " +
+            "colliders, or where the speed of sound does not follow those. 0: they decide.")]
+        private float expectedSpeed;
+
+        [SerializeField, Range(1, 1000),
+            Tooltip("Most steps a frame. If a frame needs more, the liquid falls behind real time, and the console says so.")]
+        private int maxSubstepsPerFrame = 64;
+
+        [SerializeField, Tooltip("Automatic: the time step follows from spacing, stiffness and viscosity. Fixed: as given. " +
+            "Adaptive: equal parts of each frame, shorter when the liquid is faster than expected.")]
+        private FluidTimeStepMode timeStepMode = FluidTimeStepMode.Automatic;
+
+        [SerializeField, Min(0f), Unit("s"), Tooltip("Time step in seconds when Time Step Mode is Fixed.")]
+        private float fixedTimeStep = 0.0005f;
 
         [Header("Particles that come and go")]
         [SerializeField,
@@ -124,8 +127,34 @@ namespace SphFluid
         {
         }
 
-        /// <summary>What the liquid is.</summary>
-        public FluidProfile Profile { get => profile; set => profile = value; }
+        /// <summary>
+        /// What it is filled with; null: what its emitters give, or what the other settings say. Another liquid looks so at once, and moves
+        /// so from a new start on.
+        /// </summary>
+        public FluidLiquid Liquid { get => liquid; set => liquid = value; }
+
+        /// <summary>
+        /// The liquid that it is of: <see cref="Liquid"/>, else what its first emitter with one gave at the start or since; null: none.
+        /// </summary>
+        public abstract FluidLiquid ActiveLiquid { get; }
+
+        /// <summary>
+        /// Constants of the motion, and shaders: those that were set here, else those of <see cref="ActiveLiquid"/>. Set to null, the
+        /// liquid's act again.
+        /// </summary>
+        public FluidProfile Profile
+        {
+            get
+            {
+                if (profile != null) return profile;
+                FluidLiquid active = ActiveLiquid;
+                return active != null ? active.Profile : null;
+            }
+            set => profile = value;
+        }
+
+        /// <summary>The profile that was set here, whatever the liquid; null: none.</summary>
+        internal FluidProfile OwnProfile => profile;
 
         /// <summary>Edge lengths of the box in this transform's space [m].</summary>
         public Vector3 DomainSize { get => domainSize; set => domainSize = value; }
@@ -213,7 +242,8 @@ namespace SphFluid
         public float StartJitter { get => Limits.Clamp(startJitter, 0f, FluidSpawner.MaxJitter); set => startJitter = value; }
 
         /// <summary>
-        /// How the liquid is brought to rest before the first frame. Standard method only; its step count is among the messages.
+        /// How the liquid is brought to rest before the first frame; where it is None, as <see cref="ActiveLiquid"/> says. Standard method
+        /// only; its step count is among the messages.
         /// </summary>
         public FluidStartRelaxation StartRelaxation { get => Limits.Known(startRelaxation); set => startRelaxation = value; }
 
@@ -230,6 +260,9 @@ namespace SphFluid
         {
             get
             {
+                FluidLiquid active = ActiveLiquid;
+                FluidProfile acting = profile != null || active == null ? profile : active.Profile;
+                bool relaxes = StartRelaxation != FluidStartRelaxation.None || active == null;
                 var spec = new FluidSpec
                 {
                     CapacityPolicy = CapacityPolicy,
@@ -238,7 +271,8 @@ namespace SphFluid
                     Position = transform.position,
                     Rotation = transform.rotation,
                     Scale = transform.lossyScale,
-                    Profile = profile != null ? profile.Spec : default,
+                    Liquid = active,
+                    Profile = acting != null ? acting.Spec : default,
                     DomainSize = domainSize,
                     Spacing = particleSpacing,
                     Method = method,
@@ -254,7 +288,7 @@ namespace SphFluid
                     VelocityField = VelocityField,
                     Seed = seed,
                     StartJitter = StartJitter,
-                    StartRelaxation = StartRelaxation,
+                    StartRelaxation = relaxes ? StartRelaxation : active.StartRelaxation,
                 };
                 if (FluidMethods.IsChosen(method))
                 {

@@ -12,6 +12,9 @@ namespace SphFluid
     [ManualPage("drawing", "clear-water")]
     public sealed class FluidSurfaceRenderer : FluidRenderer
     {
+        [SerializeField, Tooltip("The rows below, in place of the look of the simulation's liquid. Without a liquid they act anyway.")]
+        private bool ownLook;
+
         [SerializeField, Tooltip("How the surface is made.")]
         private FluidSurfaceOptions surface = new FluidSurfaceOptions();
 
@@ -35,6 +38,12 @@ namespace SphFluid
         private float smoothness = 0.75f;
 
         private LiquidDrawing drawing;
+
+        /// <summary>
+        /// Whether the surface is drawn by <see cref="Surface"/>, <see cref="Look"/>, <see cref="Water"/>, <see cref="Color"/> and
+        /// <see cref="Smoothness"/> of this component, although its simulation has a liquid. Without a liquid it is anyway.
+        /// </summary>
+        public bool OwnLook { get => ownLook; set => ownLook = value; }
 
         /// <summary>How the surface is made.</summary>
         public FluidSurfaceOptions Surface => surface;
@@ -64,7 +73,7 @@ namespace SphFluid
         internal int Recordings => drawing?.Surface.Recordings ?? 0;
 
         /// <summary>Strength of the shadow that it casts as water, 0 to 1; 0 with another look, or where it casts none.</summary>
-        internal float WaterShadow => Look == FluidSurfaceLook.Water && CastShadows ? water.Shadow : 0f;
+        internal float WaterShadow => CastShadows ? ShadowOf(Simulation != null ? LiquidOf(Simulation) : null) : 0f;
 
         /// <inheritdoc/>
         protected override void CreateResources(FluidShaderSet shaders) => drawing = new LiquidDrawing(shaders);
@@ -79,12 +88,24 @@ namespace SphFluid
         /// <inheritdoc/>
         protected override void Draw(FluidSimulation drawn)
         {
-            DrawPlacement placement = Placement(drawn, 0f, WaterShadow);
-            if (Look == FluidSurfaceLook.Water)
-                drawing.DrawWater(drawn.Solver, surface, water, material, placement, this);
+            FluidLiquid liquid = LiquidOf(drawn);
+            DrawPlacement placement = Placement(drawn, 0f, CastShadows ? ShadowOf(liquid) : 0f);
+            FluidSurfaceOptions made = liquid != null ? liquid.Surface : surface;
+            if (LookOf(liquid) == FluidSurfaceLook.Water)
+                drawing.DrawWater(drawn.Solver, made, WaterOf(liquid), material, placement, this);
             else
-                drawing.DrawOpaque(drawn.Solver, surface, Color, Smoothness, material, placement, this);
+                drawing.DrawOpaque(drawn.Solver, made, liquid != null ? liquid.Color : Color, liquid != null ? liquid.Smoothness
+                    : Smoothness, material, placement, this);
             FluidProfiler.AddSurface(Status.Triangles, drawing.Surface.SprayCount, GpuBytes);
         }
+
+        // Null: this component's own rows.
+        private FluidLiquid LiquidOf(FluidSimulation drawn) => ownLook ? null : drawn.ActiveLiquid;
+
+        private FluidSurfaceLook LookOf(FluidLiquid liquid) => liquid != null ? liquid.Look : Look;
+
+        private FluidWaterLook WaterOf(FluidLiquid liquid) => liquid != null ? liquid.Water : water;
+
+        private float ShadowOf(FluidLiquid liquid) => LookOf(liquid) == FluidSurfaceLook.Water ? WaterOf(liquid).Shadow : 0f;
     }
 }

@@ -19,6 +19,10 @@ namespace SphFluid
             "everywhere, and a message says so. 96 bytes of GPU memory each. A change begins without any.")]
         private int maxParticles = 65536;
 
+        [SerializeField,
+            Tooltip("The rows below, in place of the whitewater of the simulation's liquid. Without a liquid they act anyway.")]
+        private bool ownLook;
+
         [SerializeField, Min(0f), Tooltip("How much whitewater agitated liquid makes, relative to the default.")]
         private float amount = 1f;
 
@@ -43,6 +47,12 @@ namespace SphFluid
 
         /// <summary>Most particles of spray, foam and bubbles, 1 to <see cref="MostParticles"/>. A change begins without any.</summary>
         public int MaxParticles { get => Mathf.Clamp(maxParticles, 1, MostParticles); set => maxParticles = value; }
+
+        /// <summary>
+        /// Whether <see cref="Amount"/>, <see cref="FoamLife"/>, <see cref="Size"/> and <see cref="Color"/> of this component act, although
+        /// its simulation has a liquid. Without a liquid they do anyway. A liquid without whitewater makes none otherwise.
+        /// </summary>
+        public bool OwnLook { get => ownLook; set => ownLook = value; }
 
         /// <summary>How much whitewater agitated liquid makes, relative to the default; 0 or more.</summary>
         public float Amount { get => Limits.Clamp(amount, 0f); set => amount = value; }
@@ -72,7 +82,8 @@ namespace SphFluid
         {
             if (simulation == null) TryGetComponent(out simulation);
             FluidSolver solver = simulation != null && simulation.isActiveAndEnabled ? simulation.Solver : null;
-            if (solver == null)
+            FluidLiquid liquid = solver == null || ownLook ? null : simulation.ActiveLiquid;
+            if (solver == null || (liquid != null && !liquid.Whitewater))
             {
                 Forget();
                 return;
@@ -81,8 +92,11 @@ namespace SphFluid
             try
             {
                 Prepare(simulation.Profile.Shaders);
-                flow.Advance(solver, simulation.SimulatedTime, new WhitewaterSettings(MaxParticles, Amount, FoamLife));
-                drawing.Draw(flow.Buffers, solver.Settings.Spacing, Size, Color, Placement(solver.Settings));
+                var settings = liquid != null ? new WhitewaterSettings(MaxParticles, liquid.WhitewaterAmount, liquid.FoamLife)
+                    : new WhitewaterSettings(MaxParticles, Amount, FoamLife);
+                flow.Advance(solver, simulation.SimulatedTime, settings);
+                drawing.Draw(flow.Buffers, solver.Settings.Spacing, liquid != null ? liquid.WhitewaterSize : Size,
+                    liquid != null ? liquid.FoamColor : Color, Placement(solver.Settings));
             }
             catch (FluidDeviceException exception)
             {

@@ -11,6 +11,9 @@ namespace SphFluid
         /// <summary>What outlives the moment; the run writes into it.</summary>
         public EmitterState State;
 
+        /// <summary>What is to flow; null: what the simulation holds.</summary>
+        public Object Liquid;
+
         /// <summary>World position of the nozzle's centre [m].</summary>
         public Vector3 Position;
 

@@ -152,6 +152,12 @@ namespace SphFluid
 
         /// <summary>Something drives or presses the liquid more than its constants are made for.</summary>
         LiquidTooSoft,
+
+        /// <summary>An emitter is to give another liquid than its simulation holds.</summary>
+        LiquidsDiffer,
+
+        /// <summary>A simulation moves or looks otherwise than its liquid does.</summary>
+        LiquidOverridden,
     }
 
     /// <summary>

@@ -14,14 +14,32 @@ namespace SphFluid
         // A channel that a metre of water swallows whole would have an infinite coefficient.
         private const float LeastTransmittance = 1e-3f;
 
-        [SerializeField, FormerlySerializedAs("colourAtOneMetre"), Tooltip("Colour that white light has after one metre of water.")]
+        private const float LeastDistance = 1e-4f; // m
+        private const float ClearestMatt = 0.3f; // m
+
+        private const float WaterReflectance = 0.02f; // ((n - 1) / (n + 1))² at n = 1.33
+
+        [SerializeField, FormerlySerializedAs("colourAtOneMetre"),
+            Tooltip("Colour that white light has after the Absorption Distance, by default one metre.")]
         private Color colorAtOneMetre = new Color(0.1f, 0.52f, 0.83f);
+
+        [SerializeField, Min(LeastDistance),
+            Tooltip("Distance after which white light has that colour [m]. Small: dark already where it is thin, as blood or syrup.")]
+        private float absorptionDistance = 1f;
 
         [SerializeField, Min(0.01f), Tooltip("How far one sees in it [m]. Small: milky.")]
         private float visibility = 8f;
 
         [SerializeField, Tooltip("Colour of the light that it scatters back: white for water, brown for a river.")]
         private Color scattering = Color.white;
+
+        [SerializeField, ColorUsage(false, true),
+            Tooltip("Light that it gives off by itself where it is thick, as lava does; black: none. It lights nothing else.")]
+        private Color emission = Color.black;
+
+        [SerializeField, Range(WaterReflectance, 1f),
+            Tooltip("Share of the light that its surface mirrors seen at a right angle. 0.02: water; 0.04: honey; 0.8: liquid metal.")]
+        private float reflectance = WaterReflectance;
 
         [SerializeField, Range(0f, 1f), Tooltip("How much the scene behind is displaced. 1: as much as by water.")]
         private float refraction = 1f;
@@ -54,8 +72,13 @@ namespace SphFluid
         /// <summary>Most drops of <see cref="Spray"/>.</summary>
         public const int MostDrops = 32;
 
-        /// <summary>Colour that white light has after one metre of water. Not a number counts as 0.</summary>
+        /// <summary>
+        /// Colour that white light has after <see cref="AbsorptionDistance"/>, by default one metre. Not a number counts as 0.
+        /// </summary>
         public Color ColorAtOneMetre { get => Limits.Finite(colorAtOneMetre); set => colorAtOneMetre = value; }
+
+        /// <summary>Distance after which white light has <see cref="ColorAtOneMetre"/> [m], 0.0001 or more; 1 by default.</summary>
+        public float AbsorptionDistance { get => Limits.Clamp(absorptionDistance, LeastDistance); set => absorptionDistance = value; }
 
         /// <summary>
         /// How far one sees in it [m], 0.01 or more: at that distance 2 % of the contrast is left; infinity counts as the largest number,
@@ -65,6 +88,15 @@ namespace SphFluid
 
         /// <summary>Colour of the light that it scatters back. Not a number counts as 0.</summary>
         public Color Scattering { get => Limits.Finite(scattering); set => scattering = value; }
+
+        /// <summary>
+        /// Light that it gives off by itself where it is thick, with values above 1 for what shines; black by default. It lights nothing
+        /// else. Not a number counts as 0.
+        /// </summary>
+        public Color Emission { get => Limits.Finite(emission); set => emission = value; }
+
+        /// <summary>Share of the light that its surface mirrors seen at a right angle, 0.02 to 1; 0.02, water's, by default.</summary>
+        public float Reflectance { get => Limits.Clamp(reflectance, WaterReflectance, 1f); set => reflectance = value; }
 
         /// <summary>How much the scene behind is displaced, 0 to 1; 1: as much as by water.</summary>
         public float Refraction { get => Limits.Clamp(refraction, 0f, 1f); set => refraction = value; }
@@ -138,7 +170,22 @@ namespace SphFluid
             }
         }
 
-        private static float Absorption(float left) => -Mathf.Log(Mathf.Clamp(left, LeastTransmittance, 1f));
+        /// <summary>rgb: <see cref="Emission"/> in the colours that shaders use; w: <see cref="Reflectance"/>.</summary>
+        internal Vector4 Surface
+        {
+            get
+            {
+                Color given = InShaderColours(Emission);
+                return new Vector4(given.r, given.g, given.b, Reflectance);
+            }
+        }
+
+        /// <summary>
+        /// How much it is lit as a matt body and not as a cloud, 0 to 1: liquid of a short sight sends back light from where it enters.
+        /// </summary>
+        internal float Matt => Mathf.Clamp01(1f - Visibility / ClearestMatt);
+
+        private float Absorption(float left) => -Mathf.Log(Mathf.Clamp(left, LeastTransmittance, 1f)) / AbsorptionDistance;
 
         private static float Share(float part, float whole) => whole > 0f ? part / whole : 0f;
 

@@ -36,6 +36,7 @@ namespace SphFluid
         public static readonly int FluidSceneColour = Shader.PropertyToID("_FluidSceneColour");
         public static readonly int FluidExtinction = Shader.PropertyToID("_FluidExtinction");
         public static readonly int FluidScattering = Shader.PropertyToID("_FluidScattering");
+        public static readonly int FluidEmission = Shader.PropertyToID("_FluidEmission");
         public static readonly int FluidRefractionSteps = Shader.PropertyToID("_FluidRefractionSteps");
         public static readonly int Refraction = Shader.PropertyToID("_Refraction");
         public static readonly int SprayParticles = Shader.PropertyToID("_SprayParticles");

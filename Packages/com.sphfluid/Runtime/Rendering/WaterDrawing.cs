@@ -47,7 +47,10 @@ namespace SphFluid
             thickness.Apply(Block);
             reflection.Apply(Block, placement.WorldBounds, look.Smoothness);
             Block.SetVector(RenderShaderIds.FluidExtinction, look.Extinction);
-            Block.SetVector(RenderShaderIds.FluidScattering, look.Albedo);
+            Vector4 scattering = look.Albedo;
+            scattering.w = look.Matt;
+            Block.SetVector(RenderShaderIds.FluidScattering, scattering);
+            Block.SetVector(RenderShaderIds.FluidEmission, look.Surface);
             Block.SetVector(RenderShaderIds.FluidRefractionSteps, look.RefractionSteps);
         }
 

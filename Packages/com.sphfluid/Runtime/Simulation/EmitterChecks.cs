@@ -50,6 +50,16 @@ namespace SphFluid
             return null;
         }
 
+        /// <summary>That an emitter is to give another liquid than there is; null where it is not.</summary>
+        public static FluidMessage? CheckLiquid(in EmitterSpec emitter, in FluidSpec spec)
+        {
+            if (emitter.Liquid == null || emitter.Liquid == spec.Liquid) return null;
+            return new FluidMessage(FluidSeverity.Warning, FluidIssue.LiquidsDiffer, emitter.Owner,
+                $"The emitter gives '{emitter.Liquid.name}', but '{spec.Name}' holds '{spec.Liquid.name}', and that flows: a simulation " +
+                "is of one liquid.",
+                "Give both the same Liquid, or leave the emitter's empty; for two liquids use two simulations.");
+        }
+
         /// <summary>Whether an emitter's liquid is too fast for a speed of sound [m/s].</summary>
         public static bool IsTooFast(in EmitterSpec emitter, in FluidSpec spec, double soundSpeed) =>
             emitter.Speed(spec.Spacing) > FastestShare * soundSpeed;
@@ -83,7 +93,10 @@ namespace SphFluid
                     "Set Method to Standard."));
             }
             for (int i = 0; i < (spec.Emitters?.Count ?? 0); i++)
+            {
                 if (Check(spec.Emitters[i], spec) is FluidMessage wrong) messages.Add(wrong);
+                if (CheckLiquid(spec.Emitters[i], spec) is FluidMessage other) messages.Add(other);
+            }
             for (int i = 0; i < (spec.Drains?.Count ?? 0); i++)
                 if (Check(spec.Drains[i]) is FluidMessage wrong) messages.Add(wrong);
             if (spec.CapacityPolicy != FluidCapacityPolicy.Grow && spec.Capacity < 0)

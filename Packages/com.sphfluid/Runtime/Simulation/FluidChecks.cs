@@ -110,9 +110,10 @@ namespace SphFluid
         private static void CheckReferences(in FluidSpec spec, List<FluidMessage> messages)
         {
             if (!spec.HasProfile)
-                messages.Add(Error(spec.Owner, FluidIssue.ProfileMissing, "No profile is assigned.",
-                    "Assign a Fluid Profile, for instance WaterProfile from the package's Runtime/Assets, or make one with Assets > " +
-                    "Create > SPH Fluid > Fluid Profile."));
+                messages.Add(Error(spec.Owner, FluidIssue.ProfileMissing,
+                    spec.Liquid != null ? $"The liquid '{spec.Liquid.name}' has no profile." : "No liquid is assigned.",
+                    "Assign a Fluid Liquid, for instance Water from the package's Runtime/Assets/Liquids, or a Fluid Profile, as " +
+                    "WaterProfile from Runtime/Assets."));
             else if (spec.Profile.Shaders == null)
                 messages.Add(Error(spec.Profile.Asset, FluidIssue.ShadersMissing, "The profile has no shader set.",
                     "Assign the package's DefaultFluidShaderSet from Runtime/Assets to the profile's Shaders."));

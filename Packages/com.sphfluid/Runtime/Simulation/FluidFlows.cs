@@ -177,6 +177,7 @@ namespace SphFluid
                 run.IsUsed = true;
                 // it falls where nothing comes in
                 double soundSpeed = emitter.State.IsOn ? solver.Settings.SoundSpeed : double.PositiveInfinity;
+                if (EmitterChecks.CheckLiquid(emitter, spec) is FluidMessage other) report(other);
                 if (EmitterChecks.Check(emitter, spec) is FluidMessage wrong) report(wrong);
                 else if (EmitterChecks.IsTooFast(emitter, spec, soundSpeed)) report(TooFast(emitter, spec, soundSpeed));
                 else run.Emit(emitter, spec, begin, begin + time, solver.Exchange.Births, solver.Exchange.Lifetimes);

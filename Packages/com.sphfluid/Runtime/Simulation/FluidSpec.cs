@@ -27,6 +27,9 @@ namespace SphFluid
         /// <summary>World scale of the owner; the liquid needs 1.</summary>
         public Vector3 Scale;
 
+        /// <summary>The liquid whose motion and look it has; null: none.</summary>
+        public UnityEngine.Object Liquid;
+
         /// <summary>What the liquid is; all zero without a profile.</summary>
         public ProfileSpec Profile;
 

@@ -131,29 +131,34 @@ float3 FluidDiffuse(float3 albedo, float3 normal, float sun)
 }
 
 // Blinn-Phong with its energy factor (n + 8) / 8; smoothness 0...1 stands for exponents 2...2048.
-// variance: of the normal over a pixel; it lowers the exponent, so that highlights smaller than a pixel do not sparkle (Kaplanyan et al.
+// reflectance: at a right angle. variance: of the normal over a pixel; it lowers the exponent, so that highlights smaller than a pixel do not sparkle (Kaplanyan et al.
 // 2016).
-float3 FluidHighlight(float smoothness, float3 normal, float3 view, float variance)
+float3 FluidHighlight(float smoothness, float3 normal, float3 view, float variance, float reflectance)
 {
     float3 light = _FluidLightDirection.xyz;
     float exponent = exp2(1.0 + 10.0 * smoothness);
     exponent /= 1.0 + exponent * variance;
     float facing = saturate(dot(normal, normalize(light + view)));
     float lit = saturate(dot(normal, light));
-    return FluidLampColour() * (lit * WATER_REFLECTANCE * (exponent + 8.0) / 8.0 * pow(facing, exponent));
+    return FluidLampColour() * (lit * reflectance * (exponent + 8.0) / 8.0 * pow(facing, exponent));
 }
 
 float3 FluidHighlight(float smoothness, float3 normal, float3 view)
 {
-    return FluidHighlight(smoothness, normal, view, 0.0);
+    return FluidHighlight(smoothness, normal, view, 0.0, WATER_REFLECTANCE);
 }
 
-// Schlick's approximation: how much of the light from the mirror direction a smooth water surface reflects.
-float FluidFresnel(float3 normal, float3 view)
+// Schlick's approximation: how much of the light from the mirror direction a smooth surface reflects.
+float FluidFresnel(float3 normal, float3 view, float reflectance)
 {
     float grazing = 1.0 - saturate(dot(normal, view));
     float squared = grazing * grazing;
-    return WATER_REFLECTANCE + (1.0 - WATER_REFLECTANCE) * squared * squared * grazing;
+    return reflectance + (1.0 - reflectance) * squared * squared * grazing;
+}
+
+float FluidFresnel(float3 normal, float3 view)
+{
+    return FluidFresnel(normal, view, WATER_REFLECTANCE);
 }
 
 #endif

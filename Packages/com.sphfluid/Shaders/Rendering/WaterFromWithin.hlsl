@@ -11,7 +11,7 @@
 // sun: share of the main light that reaches the water in sight.
 float3 WaterBody(float metres, float sun)
 {
-    return _FluidScattering.rgb * (1.0 - exp(-_FluidExtinction.rgb * metres)) * WaterInnerLight(sun);
+    return (_FluidScattering.rgb * WaterInnerLight(sun) + _FluidEmission.rgb) * (1.0 - exp(-_FluidExtinction.rgb * metres));
 }
 
 // Beside the picture it goes on as its mirror image: there is no telling what stands there, but its border drawn out would be streaks.
@@ -77,7 +77,7 @@ float4 ShadeFromWithin(SurfaceFragment input) : SV_Target
         }
         else
         {
-            float reflected = FluidFresnel(normal, bent);
+            float reflected = FluidFresnel(normal, bent, _FluidEmission.w);
             light = SeenOutside(StartRay(input.world, bent)) * (1.0 - reflected) + FluidExposed(WaterBody(NOTHING_BEHIND, sun)) * reflected;
         }
     }

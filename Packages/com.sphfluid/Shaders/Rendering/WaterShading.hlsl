@@ -9,7 +9,8 @@
 EYE_TEXTURE<float4> _FluidSceneColour;    // Built-in: a copy of the camera's picture before transparent things
 EYE_TEXTURE<float4> _CameraOpaqueTexture; // URP
 float4 _FluidExtinction; // rgb: light lost per metre, absorbed or scattered [1/m]
-float4 _FluidScattering; // rgb: of that, scattered, 0 to 1
+float4 _FluidScattering; // rgb: of that, scattered, 0 to 1; w: how much it is lit as a matt body, 0 to 1
+float4 _FluidEmission;   // rgb: light that a thick layer gives off; w: share that the surface mirrors at a right angle
 TextureCube<float4> _FluidReflectionMap;
 float4 _FluidReflection;       // x: 1 with a map, 0 without; y: mip level; z: 1 if a black map means one that was never made
 float4 _FluidReflectionDecode; // as Unity decodes HDR pictures, intensity included
@@ -105,6 +106,14 @@ float NormalVariance(float3 normal)
     return min(0.5 * (dot(across, across) + dot(along, along)), 0.25);
 }
 
+// What a layer sends to the camera: light that it scatters, and its own. A liquid of a short sight scatters near where light enters, so
+// that it is lit by how its surface faces the light.
+float3 WaterLayer(float3 transmitted, float3 normal, float sun)
+{
+    float3 light = lerp(WaterInnerLight(sun), FluidDiffuse(1.0, normal, sun), _FluidScattering.w);
+    return (_FluidScattering.rgb * light + _FluidEmission.rgb) * (1.0 - transmitted);
+}
+
 float4 ShadeWater(SurfaceFragment input) : SV_Target
 {
     EYE_OF(input)
@@ -120,9 +129,9 @@ float4 ShadeWater(SurfaceFragment input) : SV_Target
 
     float3 transmitted = exp(-_FluidExtinction.rgb * seen.path);
     float sun = WaterSun(input.world, normal);
-    float3 body = _FluidScattering.rgb * (1.0 - transmitted) * WaterInnerLight(sun);
-    float mirrored = FluidFresnel(normal, view);
-    float3 highlight = FluidHighlight(_Smoothness, normal, view, NormalVariance(normal)) * sun;
+    float3 body = WaterLayer(transmitted, normal, sun);
+    float mirrored = FluidFresnel(normal, view, _FluidEmission.w);
+    float3 highlight = FluidHighlight(_Smoothness, normal, view, NormalVariance(normal), _FluidEmission.w) * sun;
     float3 surface = WaterMirror(reflect(-view, normal)) * mirrored + highlight;
     float3 colour = FluidExposed(body * (1.0 - mirrored) + surface);
     float cover = 1.0;
