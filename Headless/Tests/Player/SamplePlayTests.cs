@@ -26,6 +26,11 @@ public sealed class SamplePlayTests
     [TestCase("WaveTank", 0.1, 500, 700)]
     [TestCase("WeatherProof", 0.17, 250)]
     [TestCase("Liquids", 0.1, 270)]
+    [TestCase("River", 0.04, 300, 400)]
+    [TestCase("Waterfall", 0.04, 300, 400)]
+    [TestCase("Harbour", 0.04, 300, 400)]
+    [TestCase("StormInAGlass", 0.04, 300, 400)]
+    [TestCase("Gallery", 0.04, 300, 400)]
     public void TheSamplePlaysWithoutAnErrorAndGetsLiquid(string sample, double seconds, int leastParticles, int given = 0)
     {
         string output = Path.Combine(folder, sample);

@@ -12,10 +12,10 @@ namespace SphFluid.Samples
         private GameObject[] exhibits;
 
         [SerializeField, Min(0.1f), Tooltip("Seconds before each.")]
-        private float stay = 5f;
+        private float stay = 2.5f;
 
         [SerializeField, Min(0.1f), Tooltip("Seconds from one to the next.")]
-        private float turn = 1.5f;
+        private float turn = 1f;
 
         private float time;
 
