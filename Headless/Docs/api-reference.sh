@@ -22,4 +22,6 @@ if grep -lE '@(ref|section|code|endcode)\b' Build/docs/*.html >&2; then
     echo "these pages show commands of Doxygen" >&2
     exit 1
 fi
+perl Headless/Docs/search-words.pl Build/docs
 echo "the manual and the API reference: $PWD/Build/docs/index.html"
+echo "They are a static site: open that file in a browser, or publish the folder as it is."

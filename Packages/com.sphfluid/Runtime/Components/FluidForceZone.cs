@@ -41,13 +41,13 @@ namespace SphFluid
         [SerializeField, Tooltip("Speed of the wind in m/s.")]
         private float windSpeed = 5f;
 
-        [SerializeField, Min(0f), Tooltip("Part of the difference of velocities that Wind and Damping take away a second, 1/s.")]
+        [SerializeField, Min(0f), Tooltip("Share of the velocity difference that Wind and Damping remove per second, in 1/s.")]
         private float dragRate = 2f;
 
         [SerializeField, Min(0f), Tooltip("Size of an eddy of turbulence in metres.")]
         private float eddySize = 0.2f;
 
-        [SerializeField, Min(0f), Tooltip("Seconds after which eddies have become others. 0: they stay.")]
+        [SerializeField, Min(0f), Tooltip("Seconds in which the eddies change into others. 0: they stay.")]
         private float eddyTime = 2f;
 
         [SerializeField, Tooltip("Simulation whose liquid is pushed. Empty: every liquid that the zone reaches.")]

@@ -30,7 +30,7 @@ namespace SphFluid
         private float foamLife = 3f;
 
         [SerializeField, Min(0f),
-            Tooltip("Size of drops, flakes of foam and bubbles, over what it is by default. By default it follows the particle spacing.")]
+            Tooltip("Size of drops, flakes of foam and bubbles, relative to the default, which follows the particle spacing.")]
         private float size = 1f;
 
         [SerializeField, Tooltip("Its colour in white light.")]
