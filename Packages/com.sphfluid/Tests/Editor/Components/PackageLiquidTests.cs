@@ -1,5 +1,6 @@
 using System.IO;
 using System.Linq;
+using System.Reflection;
 using NUnit.Framework;
 using SphFluid.Editor;
 using UnityEditor;
@@ -71,7 +72,7 @@ namespace SphFluid.Tests
         }
 
         // What the entry GameObject > Fluid > Liquid > NAME calls: the second click after GameObject in an empty scene.
-        private static void Choose(string name) => typeof(FluidLiquidMenu).GetMethods()
+        private static void Choose(string name) => typeof(FluidLiquidMenu).GetMethods(BindingFlags.Static | BindingFlags.NonPublic)
             .Single(m => m.GetCustomAttributes(typeof(MenuItem), false).Cast<MenuItem>()
                 .Any(e => e.menuItem == "GameObject/Fluid/Liquid/" + name))
             .Invoke(null, new object[] { new MenuCommand(null) });
