@@ -9,7 +9,8 @@ namespace SphFluid.Editor
     /// <summary>Fields of an inspector, with their units in the labels.</summary>
     internal static class FluidInspector
     {
-        private const BindingFlags Fields = BindingFlags.Instance | BindingFlags.NonPublic | BindingFlags.Public | BindingFlags.DeclaredOnly;
+        private const BindingFlags Fields = BindingFlags.Instance | BindingFlags.NonPublic | BindingFlags.Public |
+            BindingFlags.DeclaredOnly;
 
         /// <summary>Draws the fields of the edited objects, in their order.</summary>
         /// <param name="edited">The objects.</param>

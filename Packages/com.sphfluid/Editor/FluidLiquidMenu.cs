@@ -3,7 +3,9 @@ using UnityEngine;
 
 namespace SphFluid.Editor
 {
-    /// <summary>GameObject menu entries for the package's liquids: each puts the liquid's prefab into the scene, in one undo step.</summary>
+    /// <summary>
+    /// GameObject menu entries for the package's liquids: each puts the liquid's prefab into the scene, in one undo step.
+    /// </summary>
     internal static class FluidLiquidMenu
     {
         private const string Root = "GameObject/Fluid/Liquid/";

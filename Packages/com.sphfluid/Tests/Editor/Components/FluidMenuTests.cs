@@ -44,7 +44,8 @@ namespace SphFluid.Tests
         [Test]
         public void LiquidsComeFirstThenTheTankAndNoneRepeatsTheWordFluid()
         {
-            var entries = new[] { typeof(FluidMenu), typeof(FluidLiquidMenu) }.SelectMany(t => t.GetMethods(Statics)).SelectMany(m => m.GetCustomAttributes(typeof(MenuItem), false)).Cast<MenuItem>()
+            MenuItem[] entries = new[] { typeof(FluidMenu), typeof(FluidLiquidMenu) }.SelectMany(t => t.GetMethods(Statics))
+                .SelectMany(m => m.GetCustomAttributes(typeof(MenuItem), false)).Cast<MenuItem>()
                 .Where(e => !e.validate).OrderBy(e => e.priority).ToArray();
             Assert.That(entries.Last().priority, Is.LessThan(50), "entries beyond are not in the Hierarchy's menu");
             string[] paths = entries.Select(e => e.menuItem).ToArray();

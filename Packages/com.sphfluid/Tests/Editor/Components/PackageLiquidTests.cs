@@ -27,8 +27,9 @@ namespace SphFluid.Tests
         public void TearDown() => EditorSceneManager.NewScene(NewSceneSetup.EmptyScene);
 
         [Test]
-        public void TheyAreTen() => Assert.That(Directory.GetFiles(Path.GetFullPath(Folder), "*.asset").Select(Path.GetFileNameWithoutExtension),
-            Is.EquivalentTo(Names));
+        public void TheyAreTen() =>
+            Assert.That(Directory.GetFiles(Path.GetFullPath(Folder), "*.asset").Select(Path.GetFileNameWithoutExtension),
+                Is.EquivalentTo(Names));
 
         [Test]
         public void ItMovesHasAColourAndSaysWhereItsConstantsAreFrom([ValueSource(nameof(Names))] string name)
