@@ -96,7 +96,8 @@ namespace SphFluid
                     : new WhitewaterSettings(MaxParticles, Amount, FoamLife);
                 flow.Advance(solver, simulation.SimulatedTime, settings);
                 drawing.Draw(flow.Buffers, solver.Settings.Spacing, liquid != null ? liquid.WhitewaterSize : Size,
-                    liquid != null ? liquid.FoamColor : Color, Placement(solver.Settings));
+                    liquid != null ? liquid.FoamColor : Color, Placement(solver.Settings),
+                    simulation.SimulatedTime);
             }
             catch (FluidDeviceException exception)
             {
