@@ -44,4 +44,11 @@ pour-and-fill PourAndFill 480x270 2x2 0.4 1.1 2 4
 water-wheel WaterWheel 480x270 2x2 0.3 0.8 1.5 2.4
 wave-tank WaveTank 480x270 2x2 0.6 1.2 1.8 2.4
 weather-proof WeatherProof 480x270 2x2 0.6 1.2 1.8 2.4
+river River 480x270 2x2 0.3 0.8 1.2 1.8
+waterfall Waterfall 480x270 2x2 0.4 0.8 1.2 1.8
+harbour Harbour 480x270 2x2 0.5 1 1.5 2.4
+storm-in-a-glass StormInAGlass 480x270 2x2 0 0.6 1 1.5
+honey-on-bread HoneyOnBread 480x270 2x2 0.4 0.7 1.1 1.5
+lava-on-steps LavaOnSteps 480x270 2x2 0 0.5 1 1.5
+gallery Gallery 480x270 2x2 2 5.5 9 12.5
 PICTURES
