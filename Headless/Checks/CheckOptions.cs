@@ -9,7 +9,7 @@ internal sealed record CheckOptions
     [
         new("--only", "NAME", "this check alone", "all") { Choices = ["api", "surface", "fxc", "dxc", "cross", "wgsl", "gpu", "buffers", "uniform", "form", "docs", "format"] },
         Flag.Switch("--update",
-            "with --only gpu or buffers: writes anew the tables of what Mesa's GPU compilers make of the shaders (Headless/Checks/Gpu/Data), or of the buffers that they use (Headless/Checks/Buffers/Data), to be committed with the reason for every line that got worse"),
+            "with --only gpu or buffers: writes anew the tables of what Mesa's GPU compilers make of the shaders (Headless/Checks/Gpu/Data), or of the buffers that they use (Headless/Checks/Buffers/Data), to be committed with the reason for every line that got worse; with --only docs: writes the facts of documents, and names the claims of README.md that nothing shows yet"),
         new("--stand-in", "DIR", "folder of the stand-in's assemblies") { Hidden = true },
         new("--cache", "DIR", "folder of Microsoft's compilers", "the player's") { Hidden = true },
         new("--shader-cache", "DIR", "folder of compiled shaders", "shaders in --cache") { Hidden = true },
@@ -33,8 +33,8 @@ internal sealed record CheckOptions
         var arguments = new Arguments("check", [.. words.Skip(1)], Flags);
         string cache = arguments.Text("--cache", UserCache.Folder);
         string? only = arguments.Text("--only");
-        if (arguments.Has("--update") && only is not ("gpu" or "buffers"))
-            throw new UsageException("--update writes the tables of one check: --only gpu --update, or --only buffers --update.");
+        if (arguments.Has("--update") && only is not ("gpu" or "buffers" or "docs"))
+            throw new UsageException("--update writes what one check compares: --only gpu --update, --only buffers --update, or --only docs --update.");
         return new CheckOptions
         {
             Project = project,

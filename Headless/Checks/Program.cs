@@ -41,7 +41,7 @@ Add("gpu", () => new GpuCheck(packages, shaderCache, Path.Combine(project, "Head
 Add("buffers", () => [new BufferCheck(packages, shaderCache, Path.Combine(project, "Headless", "Checks", "Buffers", "Data")).Run(options.Update)]);
 Add("uniform", () => [new UniformBranchCheck(packages, shaderCache).Run()]);
 Add("form", () => FormChecks.Run(packages));
-Add("docs", () => DocumentChecks.Run(packages));
+Add("docs", () => DocumentChecks.Run(packages, options.StandIn ?? AppContext.BaseDirectory, options.Update));
 Add("format", () => [new CodeFormatCheck(project).Run(), new CodeStyleCheck(packages).Run(), new TextFormatCheck(project).Run()]);
 
 var failed = reports.Count(r => !r.Passed && r.SkippedBecause is null);

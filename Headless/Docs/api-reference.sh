@@ -22,4 +22,10 @@ if grep -lE '@(ref|section|code|endcode)\b' Build/docs/*.html >&2; then
     echo "these pages show commands of Doxygen" >&2
     exit 1
 fi
+perl Headless/Docs/search-words.pl Build/docs
+# What people look for.
+for word in mobile vr urp hdrp webgl honey ocean multiplayer foam performance; do
+    grep -q "\['${word}_0'" Build/docs/search/all_*.js || { echo "the search does not find '$word'" >&2; exit 1; }
+done
 echo "the manual and the API reference: $PWD/Build/docs/index.html"
+echo "They are a static site: open that file in a browser, or publish the folder as it is."

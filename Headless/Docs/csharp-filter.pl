@@ -21,5 +21,7 @@ while (<>) {
     }
     # Text in braces of an interpolated string looks like code to Doxygen.
     s/\$"(?:[^"\\]|\\.)*"/""/g unless m{^\s*///};
+    # A body without braces behind another constructor: "public A(int b) : this(b, 0) => c = b;"
+    s/(:\s*(?:base|this)\(.*\)) => (.+);\s*$/$1 { $2; }\n/;
     print;
 }

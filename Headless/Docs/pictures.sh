@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # The pictures of the samples in the manual, played anew: four moments of each, side by side. About ten minutes on two CPU cores.
 #   ./Headless/Docs/pictures.sh [NAME...]   all, or the named ones, e.g. fountain
-# The thesis's surface and the 65,536 particles are not among them: their commands stand on the samples' pages.
+# images/pictures.csv says what each shows, and pages take their captions from it: afterwards ./run check --only docs --update.
+# The thesis's surface and the 65,536 particles are made by hand, by the commands in that table.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -22,10 +23,11 @@ while read -r name sample size layout moments; do
     (($# == 0)) || [[ " $* " == *" $name "* ]] || continue
     frames=()
     for moment in $moments; do frames+=("$(awk -v t="$moment" -v f=$fps 'BEGIN { printf "%.0f", t * f }')"); done
-    last=${moments##* }
-    "$root/run" play --scene "$root/Packages/com.sphfluid/Samples~/$sample/$sample.unity" --seconds "$last" --fps $fps --size "$size" --out "$plays/$name" \
-        < /dev/null > "$plays-$name.log" 2>&1 || { tail -n 20 "$plays-$name.log"; exit 1; }
+    command="play --scene $sample --seconds ${moments##* } --fps $fps --size $size"
+    # shellcheck disable=SC2086
+    "$root/run" $command --out "$plays/$name" < /dev/null > "$plays-$name.log" 2>&1 || { tail -n 20 "$plays-$name.log"; exit 1; }
     tiles "$plays/$name" "$layout" "$images/$name.png" "${frames[@]}"
+    "$root/Headless/Docs/record-picture.sh" "$images/$name.png" "$sample" "./run $command" "$moments" "$plays/$name"
     echo "$images/$name.png"
 done << 'PICTURES'
 dam-break DamBreak 960x540 1x1 3
@@ -42,4 +44,11 @@ pour-and-fill PourAndFill 480x270 2x2 0.4 1.1 2 4
 water-wheel WaterWheel 480x270 2x2 0.3 0.8 1.5 2.4
 wave-tank WaveTank 480x270 2x2 0.6 1.2 1.8 2.4
 weather-proof WeatherProof 480x270 2x2 0.6 1.2 1.8 2.4
+river River 480x270 2x2 0.3 0.8 1.2 1.8
+waterfall Waterfall 480x270 2x2 0.4 0.8 1.2 1.8
+harbour Harbour 480x270 2x2 0.5 1 1.5 2.4
+storm-in-a-glass StormInAGlass 480x270 2x2 0 0.6 1 1.5
+honey-on-bread HoneyOnBread 480x270 2x2 0.4 0.7 1.1 1.5
+lava-on-steps LavaOnSteps 480x270 2x2 0 0.5 1 1.5
+gallery Gallery 480x270 2x2 2 5.5 9 12.5
 PICTURES

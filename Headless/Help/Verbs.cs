@@ -127,7 +127,7 @@ internal static class Verbs
         new("check", "conformance checks that need no GPU")
         {
             Own = CheckOptions.Flags,
-            Examples = [("", "all of them: minutes"), ("--only form", "package form and metas: seconds"), ("--only docs", "what the documents name: half a minute")],
+            Examples = [("", "all of them: minutes"), ("--only form", "package form and metas: seconds"), ("--only docs", "what the documents name and claim: half a minute")],
         },
         new("model", "what steps would take on GPUs that are not at hand, with every assumption")
         {

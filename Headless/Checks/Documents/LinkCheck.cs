@@ -4,11 +4,11 @@ namespace Headless.Checks.Documents;
 
 /// <summary>
 /// Relative links and pictures of the project's documents lead to files that are there, and a part of a page that is named (#heading) to a
-/// heading. The index.md of each manual lists every page beside it.
+/// heading. The index.md of each manual lists every page beside it, and so does TableOfContents.md where there is one.
 /// </summary>
 internal sealed partial class LinkCheck(ProjectPackages packages)
 {
-    private const string Index = "index.md";
+    private static readonly string[] lists = ["index.md", "TableOfContents.md"];
     private readonly Dictionary<string, HashSet<string>> headings = [];
 
     public CheckReport Run()
@@ -23,7 +23,8 @@ internal sealed partial class LinkCheck(ProjectPackages packages)
                 links++;
                 if (Problem(document.Path, Uri.UnescapeDataString(target)) is { } problem) report.Findings.Add($"{document.Shown}: the link to '{target}' {problem}");
             }
-        foreach (var package in packages.All) CheckIndex(Path.Combine(package, "Documentation~"), report);
+        foreach (var folder in packages.All.Select(p => Path.Combine(p, "Documentation~")))
+            foreach (var list in lists) CheckList(folder, list, report);
         report.Figures = $"{documents.Count} documents, {links} relative links";
         return report;
     }
@@ -38,12 +39,12 @@ internal sealed partial class LinkCheck(ProjectPackages packages)
         return parts.Length == 2 && file.EndsWith(".md", StringComparison.Ordinal) && !HeadingsOf(file).Contains(parts[1]) ? "names no heading of that page" : null;
     }
 
-    private void CheckIndex(string folder, CheckReport report)
+    private void CheckList(string folder, string list, CheckReport report)
     {
-        var index = Path.Combine(folder, Index);
+        var index = Path.Combine(folder, list);
         if (!File.Exists(index)) return;
         var listed = Link().Matches(File.ReadAllText(index)).Select(l => l.Groups[1].Value.Split('#')[0]).ToHashSet();
-        foreach (var page in Directory.GetFiles(folder, "*.md").Select(f => Path.GetFileName(f)).Where(p => p != Index && !listed.Contains(p)).Order())
+        foreach (var page in Directory.GetFiles(folder, "*.md").Select(f => Path.GetFileName(f)).Where(p => !lists.Contains(p) && !listed.Contains(p)).Order())
             report.Findings.Add($"{Shown(index)} does not list {page}");
     }
 

@@ -53,7 +53,7 @@ internal sealed partial class MarkdownFile
 
     private static string FirstCell(string row) => row.Trim().Trim('|').Split('|')[0].Replace("*", "").Trim();
 
-    private int LineOf(int index) => Text.AsSpan(0, index).Count('\n') + 1;
+    public int LineOf(int index) => Text.AsSpan(0, index).Count('\n') + 1;
 
     [GeneratedRegex(@"(?<comments>(?:^<!--(?:(?!-->)[\s\S])*-->\n+)*)^ *```(?<language>[^\n`]*)\n(?<text>[\s\S]*?)^ *```[ \t]*$", RegexOptions.Multiline)]
     private static partial Regex FenceBlock();

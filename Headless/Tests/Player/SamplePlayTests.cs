@@ -20,12 +20,16 @@ public sealed class SamplePlayTests
     [TestCase("Fountain", 0.1, 500, 700)]
     [TestCase("PourAndFill", 0.1, 80)]
     [TestCase("FloatingCrates", 0.1, 500, 700)]
-    [TestCase("WaterWheel", 0.1, 100)]
+    [TestCase("WaterWheel", 0.1, 500, 700)]
     [TestCase("HeatedWater", 0.1, 500, 700)]
     [TestCase("GettingStarted", 0.1, 500, 700)]
     [TestCase("WaveTank", 0.1, 500, 700)]
     [TestCase("WeatherProof", 0.17, 250)]
     [TestCase("Liquids", 0.1, 270)]
+    [TestCase("Waterfall", 0.04, 300, 400)]
+    [TestCase("Harbour", 0.04, 300, 400)]
+    [TestCase("StormInAGlass", 0.04, 300, 400)]
+    [TestCase("Gallery", 0.04, 300, 400)]
     public void TheSamplePlaysWithoutAnErrorAndGetsLiquid(string sample, double seconds, int leastParticles, int given = 0)
     {
         string output = Path.Combine(folder, sample);

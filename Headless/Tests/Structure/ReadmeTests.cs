@@ -30,8 +30,22 @@ public sealed partial class ReadmeTests
         Assert.That(found[0], Does.StartWith("README.md: "));
     }
 
+    [Test]
+    public void PackagesHaveTheAddressOfTheReadmeOrNone()
+    {
+        string root = Conformance.ReleaseBuildTests.FindUp("Headless/Play.slnx");
+        string address = Address().Match(File.ReadAllText(Path.Combine(root, "README.md"))).Value;
+        foreach (string package in Directory.GetDirectories(Path.Combine(root, "Packages")))
+        {
+            string[] urls = [.. PackageUrl().Matches(File.ReadAllText(Path.Combine(package, "package.json"))).Select(m => m.Groups[1].Value)];
+            Assert.That(urls, Has.Length.EqualTo(address.Contains("OWNER/") ? 0 : 3), package);
+            Assert.That(urls, Is.All.StartsWith($"{address[..^4]}/blob/HEAD/Packages/{Path.GetFileName(package)}/"));
+        }
+    }
+
     private static string[] Lines(string text) => [.. text.Split('\n').Select(l => l.Trim()).Where(l => l.Length > 0)];
 
     [GeneratedRegex(@"https?://\S+\.git\b|\bOWNER/REPOSITORY\b")] private static partial Regex Address();
+    [GeneratedRegex(@"""\w+Url"": ""(https:[^""]+)""")] private static partial Regex PackageUrl();
     [GeneratedRegex("^```csharp\n([\\s\\S]*?)^```", RegexOptions.Multiline)] private static partial Regex Code();
 }

@@ -28,7 +28,7 @@ namespace SphFluid
 
         [SerializeField,
             Tooltip(
-                "Time since the first frame in seconds. Past the end Loop decides. May be keyed by an animation, with Clock set to " +
+                "Time since the first frame in seconds. Past the end, Loop decides. An animation may key it with Clock set to " +
                 "Manual; a Fluid Playback Clip of a Timeline sets it too.")]
         private float time;
 
@@ -38,7 +38,7 @@ namespace SphFluid
         [SerializeField,
             Tooltip(
                 "Time of the sequence over the scene's time, with Scene Time: 1 as it was made, 0.5 half as fast, −1 backwards. The " +
-                "simulation's Time Scale acts besides.")]
+                "simulation's Time Scale applies as well.")]
         private float speed = 1f;
 
         [SerializeField, Tooltip("What happens past the ends of the sequence.")]
@@ -46,8 +46,8 @@ namespace SphFluid
 
         [SerializeField,
             Tooltip(
-                "Whether particles are shown between frames too, found again by their ids and led by their velocities. Off: the nearer " +
-                "frame is shown.")]
+                "Show particles between frames too, matched by id and carried by their velocities. Off: the nearer frame is " +
+                "shown.")]
         private bool interpolate = true;
 
         [SerializeField, Min(1), Tooltip("Memory for frames that are read ahead, in MiB; two frames at least must fit.")]

@@ -83,7 +83,7 @@ namespace SphFluid.Laboratory
         public void Draw(CommandBuffer cmd, FluidSolver solver)
         {
             drawing.Fill(buffers, solver.Settings.Spacing, 1f, Color.white,
-                new DrawPlacement(Matrix4x4.identity, solver.Settings.DomainSize, 0f, 0, false));
+                new DrawPlacement(Matrix4x4.identity, solver.Settings.DomainSize, 0f, 0, false), solver.SimulatedTime);
             drawing.Record(cmd);
         }
 

@@ -148,6 +148,7 @@ namespace SphFluid.Editor
             SerializedProperty relaxation = edited.FindProperty("startRelaxation");
             bool isSet = relaxation.enumValueIndex != (int)FluidStartRelaxation.None || relaxation.hasMultipleDifferentValues;
             if (!isSet && !AnyRelaxes(edited)) hidden.Add("startRelaxation");
+            if (!isSet) hidden.Add("savedStart");
             if (!Array.Exists(edited.targetObjects, IsChosen)) hidden.AddRange(new[] { "frameBudget", "budgetFrameRate" });
             return hidden.ToArray();
         }
@@ -181,10 +182,9 @@ namespace SphFluid.Editor
             if (FillGizmos.Text(validation.Memory) is string text) EditorGUILayout.HelpBox(text, MessageType.None);
             bool relaxes = Simulation.StartRelaxation != FluidStartRelaxation.None &&
                 FluidMethods.Has(Simulation.ActiveMethod, FluidMethodFeatures.RelaxedStart);
-            if (relaxes && validation.Preview != null && !validation.Memory.IsRelaxed && GUILayout.Button("Preview Relaxed Start"))
-            {
-                validation.Relax();
-            }
+            if (!relaxes || validation.Preview == null) return;
+            if (!validation.Memory.IsRelaxed && GUILayout.Button("Preview Relaxed Start")) validation.Relax();
+            if (GUILayout.Button("Save Relaxed Start")) RelaxedStartAsset.TrySave(Simulation);
         }
 
         private static void DrawLines(IReadOnlyList<(string Label, string Value)> lines)

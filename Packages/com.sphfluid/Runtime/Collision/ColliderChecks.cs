@@ -22,7 +22,7 @@ namespace SphFluid
                 messages.Add(new FluidMessage(FluidSeverity.Warning, FluidIssue.ColliderFrictionUnused, solid.Source,
                     $"Its Fluid Collider has a friction of its own, but '{owner.name}' computes by the thesis's method, where all " +
                     "colliders have the friction of the faces.",
-                    "Set the simulation's Method to Standard, or turn Own Friction off."));
+                    "Set the simulation's Method to Standard or Robust, or turn Own Friction off."));
             }
             if (TerrainPatches.IsTerrain(collider) &&
                 (collider.transform.rotation != Quaternion.identity || collider.transform.lossyScale != Vector3.one))

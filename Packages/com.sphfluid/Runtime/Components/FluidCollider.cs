@@ -32,14 +32,14 @@ namespace SphFluid
             Tooltip(
                 "The liquid collides with the Skinned Mesh Renderers of this object and of those below it as they are drawn. Each is " +
                 "skinned on the " +
-            "CPU every frame; take characters of few vertices.")]
+            "CPU every frame; use characters with few vertices.")]
         private bool skinnedMeshes;
 
         [SerializeField,
             Tooltip(
                 "The liquid collides with the Wheel Colliders of this object and of those below it even where Unity's overlap queries do " +
                 "not " +
-            "report them. It feels nothing back through them.")]
+            "report them. The car feels nothing of the liquid through them.")]
         private bool wheelColliders;
 
         [SerializeField, Min(0f),

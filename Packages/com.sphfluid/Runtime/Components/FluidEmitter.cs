@@ -46,12 +46,12 @@ namespace SphFluid
         private float duration;
 
         [SerializeField, Unit("s"), Min(0f),
-            Tooltip("Seconds of the liquid's time after which what this emitter gives leaves the liquid again. 0: it stays.")]
+            Tooltip("Lifetime of this emitter's liquid, in seconds of the liquid's time; then it is removed. 0: it stays.")]
         private float lifetime;
 
         [SerializeField,
-            Tooltip("The nozzle stands in liquid: a pipe of a support radius keeps the liquid around out, and drives what leaves. " +
-            "The pipe is a wall to liquid, a particle spacing thick, and is not drawn. Off: liquid at the nozzle blocks it.")]
+            Tooltip("The nozzle stands in liquid: a pipe, a support radius long, keeps the surrounding liquid out and drives what " +
+            "leaves. The pipe is a wall to liquid, a particle spacing thick, and is not drawn. Off: liquid at the nozzle blocks it.")]
         private bool underWater;
 
         [SerializeField, Tooltip("Simulation that the liquid belongs to. Empty: the simulation among its parents, else the only one " +

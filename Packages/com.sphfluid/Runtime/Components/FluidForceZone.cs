@@ -42,13 +42,13 @@ namespace SphFluid
         private float windSpeed = 5f;
 
         [SerializeField, Unit("1/s"), Min(0f),
-            Tooltip("Part of the difference of velocities that Wind and Damping take away a second, 1/s.")]
+            Tooltip("Share of the velocity difference that Wind and Damping remove per second, in 1/s.")]
         private float dragRate = 2f;
 
         [SerializeField, Unit("m"), Min(0f), Tooltip("Size of an eddy of turbulence in metres.")]
         private float eddySize = 0.2f;
 
-        [SerializeField, Unit("s"), Min(0f), Tooltip("Seconds after which eddies have become others. 0: they stay.")]
+        [SerializeField, Unit("s"), Min(0f), Tooltip("Seconds in which the eddies change into others. 0: they stay.")]
         private float eddyTime = 2f;
 
         [SerializeField, Tooltip("Simulation whose liquid is pushed. Empty: every liquid that the zone reaches.")]

@@ -12,7 +12,7 @@ namespace SphFluid
     {
         private static readonly List<FluidInstrument> ActiveList = new List<FluidInstrument>();
 
-        [SerializeField, Min(0f), Tooltip("The reading is the mean over the last so many simulated seconds. 0: not averaged.")]
+        [SerializeField, Min(0f), Tooltip("The reading is the mean over this many simulated seconds. 0: not averaged.")]
         private float averagingTime = 0.1f;
 
         [SerializeField,

@@ -28,13 +28,13 @@ namespace SphFluid
         private bool stageTimes = true;
 
         [SerializeField, Range(0.5f, 30f),
-            Tooltip("How often the text is written anew, in times a second; figures are means over the time between.")]
+            Tooltip("How often the text is refreshed, per second; figures are means over the time in between.")]
         private float refreshRate = 4f;
 
         [SerializeField, Range(8, 48), Tooltip("Size of the letters in pixels, on a screen of 1080 lines.")]
         private int fontSize = 14;
 
-        [SerializeField, Tooltip("Corner of the screen that it stands in.")]
+        [SerializeField, Tooltip("Corner of the screen where it is shown.")]
         private FluidOverlayCorner corner;
 
         private readonly GUIContent content = new GUIContent();
@@ -58,7 +58,7 @@ namespace SphFluid
         /// <summary>Size of the letters in pixels on a screen of 1080 lines, 8 to 48.</summary>
         public int FontSize { get => Mathf.Clamp(fontSize, 8, 48); set => fontSize = value; }
 
-        /// <summary>Corner of the screen that it stands in.</summary>
+        /// <summary>Corner of the screen where it is shown.</summary>
         public FluidOverlayCorner Corner { get => Limits.Known(corner); set => corner = value; }
 
         /// <summary>The text, for a display of your own: lines parted by '\n'; empty before the first and while not visible.</summary>

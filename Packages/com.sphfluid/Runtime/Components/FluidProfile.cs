@@ -93,7 +93,7 @@ namespace SphFluid
 
         [Header("Thesis")]
         [SerializeField, Tooltip("What of the thesis's text is corrected. Each can be switched alone to see what the printed form does; " +
-            "the method Thesis Printed does not ask, it has all as printed.")]
+            "the method Thesis Printed ignores them: everything is as printed.")]
         private ThesisSwitches thesisSwitches = ThesisSwitches.Corrected;
 
         [Header("Limits")]

@@ -48,8 +48,8 @@ namespace SphFluid
 
         [SerializeField, Min(0f),
             Tooltip(
-                "How far the reading has to go from one event to the other, half of it on each side of the threshold, so that one that " +
-                "trembles raises none.")]
+                "How far the reading has to go from one event to the other, half of it on each side of the threshold, so that a noisy " +
+                "reading raises no events.")]
         private float hysteresis = 0.2f;
 
         [SerializeField,

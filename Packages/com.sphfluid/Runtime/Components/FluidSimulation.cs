@@ -532,7 +532,8 @@ namespace SphFluid
             }
             if (features != FluidMethodFeatures.None && !FluidMethods.Has(ActiveMethod, features))
             {
-                throw new InvalidOperationException($"The method {ActiveMethod} of '{name}' has {has}. Set Method to Standard.");
+                throw new InvalidOperationException(
+                    $"The method {ActiveMethod} of '{name}' has {has}. Set Method to Standard or Robust.");
             }
             return run;
         }

@@ -112,6 +112,12 @@ namespace SphFluid
         [SerializeField, Min(0f), Unit("s"), Tooltip("Time step in seconds when Time Step Mode is Fixed.")]
         private float fixedTimeStep = 0.0005f;
 
+        [SerializeField,
+            Tooltip(
+                "The relaxed start as Save Relaxed Start wrote it. The liquid starts from it at once, as long as it is the same liquid in " +
+            "the same vessel; otherwise it comes to rest anew.")]
+        private TextAsset savedStart;
+
         [Header("Particles that come and go")]
         [SerializeField,
             Tooltip(
@@ -247,6 +253,9 @@ namespace SphFluid
         /// </summary>
         public FluidStartRelaxation StartRelaxation { get => Limits.Known(startRelaxation); set => startRelaxation = value; }
 
+        /// <summary>A relaxed start that the inspector saved, which the liquid starts from as long as it fits; null for none.</summary>
+        public TextAsset SavedStart { get => savedStart; set => savedStart = value; }
+
         /// <summary>What happens when emitters give more particles than there are slots for.</summary>
         public FluidCapacityPolicy CapacityPolicy { get => Limits.Known(capacityPolicy); set => capacityPolicy = value; }
 
@@ -289,6 +298,7 @@ namespace SphFluid
                     Seed = seed,
                     StartJitter = StartJitter,
                     StartRelaxation = relaxes ? StartRelaxation : active.StartRelaxation,
+                    SavedStart = savedStart,
                 };
                 if (FluidMethods.IsChosen(method))
                 {

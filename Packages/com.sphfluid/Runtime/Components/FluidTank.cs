@@ -21,7 +21,7 @@ namespace SphFluid
         [SerializeField, Unit("m"), Min(0f), Tooltip("Thickness of the bars along the edges in metres. 0: no bars.")]
         private float edge = 0.02f;
 
-        [SerializeField, Tooltip("A pane above the liquid too.")]
+        [SerializeField, Tooltip("Add a pane above the liquid.")]
         private bool lid;
 
         private Mesh mesh;

@@ -30,7 +30,7 @@ namespace SphFluid
         private float foamLife = 3f;
 
         [SerializeField, Min(0f),
-            Tooltip("Size of drops, flakes of foam and bubbles, over what it is by default. By default it follows the particle spacing.")]
+            Tooltip("Size of drops, flakes of foam and bubbles, relative to the default, which follows the particle spacing.")]
         private float size = 1f;
 
         [SerializeField, Tooltip("Its colour in white light.")]
@@ -96,7 +96,8 @@ namespace SphFluid
                     : new WhitewaterSettings(MaxParticles, Amount, FoamLife);
                 flow.Advance(solver, simulation.SimulatedTime, settings);
                 drawing.Draw(flow.Buffers, solver.Settings.Spacing, liquid != null ? liquid.WhitewaterSize : Size,
-                    liquid != null ? liquid.FoamColor : Color, Placement(solver.Settings));
+                    liquid != null ? liquid.FoamColor : Color, Placement(solver.Settings),
+                    simulation.SimulatedTime);
             }
             catch (FluidDeviceException exception)
             {

@@ -158,6 +158,9 @@ namespace SphFluid
 
         /// <summary>A simulation moves or looks otherwise than its liquid does.</summary>
         LiquidOverridden,
+
+        /// <summary>A liquid volume is drawn out to walls of its domain that it nearly reaches.</summary>
+        VolumeDrawnOut,
     }
 
     /// <summary>

@@ -90,7 +90,7 @@ namespace SphFluid
             {
                 messages.Add(new FluidMessage(FluidSeverity.Warning, FluidIssue.EmitterInvalid, spec.Owner,
                     $"The method {spec.Method} has a fixed number of particles: its emitters and drains do nothing.",
-                    "Set Method to Standard."));
+                    "Set Method to Standard or Robust."));
             }
             for (int i = 0; i < (spec.Emitters?.Count ?? 0); i++)
             {

@@ -85,6 +85,9 @@ namespace SphFluid
         public float StartJitter;
         public FluidStartRelaxation StartRelaxation;
 
+        /// <summary>A relaxed start as it was saved; null for none.</summary>
+        public TextAsset SavedStart;
+
         /// <summary>The owner's name; read when asked for, as Unity makes a new string each time.</summary>
         public readonly string Name => Owner.name;
 

@@ -150,7 +150,8 @@ namespace SphFluid
             if (FluidMethods.Has(spec.Method) && !FluidMethods.Has(spec.Method, FluidMethodFeatures.ForceZones))
             {
                 messages.Add(new FluidMessage(FluidSeverity.Warning, FluidIssue.ForceZoneInvalid, spec.Owner,
-                    $"The method {spec.Method} has no force zones: those of the scene do nothing to it.", "Set Method to Standard."));
+                    $"The method {spec.Method} has no force zones: those of the scene do nothing to it.",
+                    "Set Method to Standard or Robust."));
             }
             for (int i = 0; i < spec.Zones.Count; i++)
                 if (Check(spec.Zones[i], spec) is FluidMessage wrong) messages.Add(wrong);

@@ -32,7 +32,15 @@ namespace SphFluid
                 return start.Particles;
             }
 
-            FluidSolverSettings settings = Settings(start.Constants, spec.StartRelaxation);
+            FluidSolverSettings settings = Settings(spec, start);
+            var saved = new SavedStart(settings, start.Particles, collision.Solids);
+            if (spec.SavedStart != null)
+            {
+                if (saved.TryRead(spec.SavedStart.bytes, out FluidParticle[] rested)) return rested;
+                Report(spec, report, FluidSeverity.Info,
+                    $"The saved start '{spec.SavedStart.name}' is of another liquid or another vessel, so the liquid comes to rest anew.",
+                    "Save it again in the inspector: Save Relaxed Start.");
+            }
             var clock = Stopwatch.StartNew();
             using (var bodies = new CollisionBodies(settings))
             {
@@ -42,7 +50,8 @@ namespace SphFluid
                 {
                     bool settled = Watched(watch, goesOn => relaxer.Run(Acceleration(settings), goesOn));
                     ReportResult(spec, report, relaxer, settled, clock.Elapsed.TotalSeconds);
-                    return WithVelocities(relaxer.Read(), start.Particles);
+                    saved.TryRead(saved.Write(relaxer.Read()), out FluidParticle[] particles); // as rounded as from the file
+                    return particles;
                 }
             }
         }
@@ -59,6 +68,14 @@ namespace SphFluid
             {
                 watch.End();
             }
+        }
+
+        /// <summary>What relaxes a start: the method Standard, whatever method runs it.</summary>
+        public static FluidSolverSettings Settings(FluidSpec spec, FluidStart start)
+        {
+            if (spec.Method == FluidMethodKind.Standard) return Settings(start.Constants, spec.StartRelaxation);
+            spec.Method = FluidMethodKind.Standard;
+            return Settings(FluidConstants.Derive(spec, start, start.Gravity), spec.StartRelaxation);
         }
 
         /// <summary>The physics at rest: walls do not move, no face is open, and gravity acts only where it is asked for.</summary>
@@ -93,13 +110,6 @@ namespace SphFluid
                 high = Mathf.Max(high, depth);
             }
             return high - low + settings.Spacing;
-        }
-
-        // By id: both are in its order.
-        private static FluidParticle[] WithVelocities(FluidParticle[] rested, IReadOnlyList<FluidParticle> start)
-        {
-            for (int i = 0; i < rested.Length; i++) rested[i] = new FluidParticle(rested[i].Position, start[i].VelT0, start[i].Id);
-            return rested;
         }
 
         private static void ReportResult(in FluidSpec spec, Action<FluidMessage> report, StartRelaxer relaxer, bool settled, double seconds)

@@ -7,6 +7,9 @@ namespace SphFluid
     /// <summary>Rules about one liquid volume, and its shape as the spawner needs it.</summary>
     internal static class VolumeChecks
     {
+        // Of a box that is drawn out to walls, before it is worth a word.
+        private const double MostGrown = 0.02;
+
         /// <summary>The shape of a volume among the colliders gathered in <paramref name="collision"/>.</summary>
         /// <returns>Null when an error was added to the messages.</returns>
         public static LiquidShape Check(in VolumeSpec volume, in FluidSpec spec, CollisionScene collision, List<FluidMessage> messages)
@@ -36,7 +39,27 @@ namespace SphFluid
             }
             Matrix4x4 frame = worldToLocal * (volume.LocalToWorld * Matrix4x4.Scale(size));
             if (volume.Shape == FluidVolumeShape.Sphere) return new LiquidEllipsoid(volume.Name, frame, velocity);
-            return new LiquidBox(volume.Name, frame, velocity);
+            return LatticeFit.IsAligned(frame) ? Fitted(volume, frame, spec, velocity, messages)
+                : new LiquidBox(volume.Name, frame, velocity);
+        }
+
+        private static LiquidBox Fitted(in VolumeSpec volume, in Matrix4x4 frame, in FluidSpec spec, Vector3 velocity,
+            List<FluidMessage> messages)
+        {
+            FluidFaces walls = SpawnRequests.WallsOf(spec);
+            Bounds box = AffineMath.BoundsOf(frame, Vector3.one);
+            Bounds fitted = WallFit.DrawnOut(box, spec.DomainSize, walls, spec.Spacing, spec.LocalGravity);
+            double growth = (double)fitted.size.x * fitted.size.y * fitted.size.z / ((double)box.size.x * box.size.y * box.size.z) - 1.0;
+            if (growth > MostGrown)
+            {
+                messages.Add(new FluidMessage(FluidSeverity.Info, FluidIssue.VolumeDrawnOut, volume.Owner,
+                    FormattableString.Invariant($"The liquid volume ends less than a spacing from the domain's walls. It is drawn out to ") +
+                    FormattableString.Invariant($"them, so that it rests there: {100.0 * growth:0.#} % more liquid."),
+                    "To have no message, let the volume end at the walls, or more than a spacing from them."));
+            }
+            bool stays = fitted == box && new Vector3(frame.m00, frame.m11, frame.m22) == box.size;
+            return new LiquidBox(volume.Name, stays ? frame : Matrix4x4.TRS(fitted.center, Quaternion.identity, fitted.size), velocity,
+                WallFit.At(fitted, spec.DomainSize, walls, spec.Spacing));
         }
 
         /// <summary>Checks whether a vessel that was fitted holds its liquid.</summary>

@@ -114,7 +114,7 @@ namespace SphFluid
             FluidSeverity.Warning, FluidIssue.VolumeChanged, volume.Owner,
             $"The liquid volume was enabled while '{spec.Name}' runs by the method {spec.Method}, which has a fixed number of particles: " +
             "it adds no liquid.",
-            "Restart the liquid to start with the volume, or set Method to Standard.");
+            "Restart the liquid to start with the volume, or set Method to Standard or Robust.");
 
         private static bool IsSame(in VolumeSpec then, in VolumeSpec now, in FluidSpec spec)
         {

@@ -182,7 +182,7 @@ namespace SphFluid
             if (faces.Open != FluidFaces.None && !Has(FluidMethodFeatures.OpenFaces))
             {
                 throw new ArgumentException($"Boundaries.Open has {faces.Open}, but with the method {Kind} all faces are walls. " +
-                    $"Use the method {FluidMethodKind.Standard}, or set Boundaries.Open to None.");
+                    $"Use the method {FluidMethodKind.Standard} or {FluidMethodKind.Robust}, or set Boundaries.Open to None.");
             }
         }
     }

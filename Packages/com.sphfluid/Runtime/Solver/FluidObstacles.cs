@@ -118,7 +118,8 @@ namespace SphFluid
             if (bodies == null)
             {
                 throw new NotSupportedException(
-                    $"The method {settings.Method} moves no bodies. Use the method {FluidMethodKind.Standard}, or Add and MoveTo.");
+                    $"The method {settings.Method} moves no bodies. Use the method {FluidMethodKind.Standard} or " +
+                    $"{FluidMethodKind.Robust}, or Add and MoveTo.");
             }
             if (!(mass > 0f) || !AffineMath.IsFinite(mass))
             {

@@ -386,6 +386,18 @@ namespace SphFluid
             state.BindNeighbourList(cmd, kernel);
         }
 
+        /// <summary>
+        /// Records the walls of triangles near particles (Shaders/Solver/Cells/PackedWall.hlsl) for a kernel with FLUID_MESH_WALLS, which is
+        /// off where the method gathers none.
+        /// </summary>
+        /// <param name="cmd">Command buffer to record into, after the neighbour setup.</param>
+        /// <param name="kernel">The kernel.</param>
+        internal void BindNearWalls(CommandBuffer cmd, ComputeKernel kernel)
+        {
+            ThrowIfDisposed();
+            state.BindNearWalls(cmd, kernel);
+        }
+
         /// <summary>Waits for the GPU and reads the counters; for tools and tests.</summary>
         /// <returns>The counters now.</returns>
         public FluidCounters ReadCountersNow()

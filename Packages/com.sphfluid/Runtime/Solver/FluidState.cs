@@ -9,6 +9,9 @@ namespace SphFluid
     /// </summary>
     internal abstract class FluidState : IDisposable
     {
+        /// <summary>Keyword of kernels that read the walls of triangles near particles.</summary>
+        public const string MeshWalls = "FLUID_MESH_WALLS";
+
         private Vector3? bodyStep;
         private int bodyVersion;
 
@@ -121,6 +124,9 @@ namespace SphFluid
         /// <summary>Records the list of neighbours, or one of length 0, for a kernel that reads it.</summary>
         public virtual void BindNeighbourList(CommandBuffer cmd, ComputeKernel kernel) =>
             GridNeighbours.SetNoList(cmd, kernel, Published.Density);
+
+        /// <summary>Records the walls near particles for a kernel that reads them; its keyword is off where there are none.</summary>
+        public virtual void BindNearWalls(CommandBuffer cmd, ComputeKernel kernel) => kernel.SetKeyword(cmd, MeshWalls, false);
 
         /// <summary>Releases the buffers that the state made; the triangles belong to their maker.</summary>
         public virtual void Dispose()

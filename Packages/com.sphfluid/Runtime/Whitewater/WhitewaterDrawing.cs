@@ -13,16 +13,19 @@ namespace SphFluid
         private static readonly int Spacing = Shader.PropertyToID("_WhitewaterSpacing");
         private static readonly int Size = Shader.PropertyToID("_WhitewaterSize");
         private static readonly int Shutter = Shader.PropertyToID("_WhitewaterShutter");
-        private static readonly int Lace = Shader.PropertyToID("_WhitewaterLace");
+        private static readonly int Phase = Shader.PropertyToID("_WhitewaterPhase");
 
         // How long the camera's shutter is open for spray [s].
         private const float ShutterTime = 1f / 400f;
+
+        // Periods of the pattern of foam [s], and how many are told apart.
+        private const double FoamPeriod = 0.5;
+        private const double FoamPeriods = 512.0;
 
         private readonly MaterialPropertyBlock block = new MaterialPropertyBlock();
         private readonly SceneLighting lighting = new SceneLighting();
         private Material front;
         private Material behind;
-        private Texture2D lace;
         private WhitewaterBuffers buffers;
         private DrawPlacement placement;
         private int preparedAt = -1;
@@ -40,7 +43,6 @@ namespace SphFluid
                 DestroyMaterials();
                 throw;
             }
-            lace = LaceTexture.Create();
             WaterCameras.Add(this);
         }
 
@@ -50,9 +52,10 @@ namespace SphFluid
         /// <param name="size">Radius of a piece over that by default.</param>
         /// <param name="colour">Their albedo.</param>
         /// <param name="where">Where they are.</param>
-        public void Draw(WhitewaterBuffers drawn, float spacing, float size, Color colour, in DrawPlacement where)
+        /// <param name="time">That the liquid has gone [s].</param>
+        public void Draw(WhitewaterBuffers drawn, float spacing, float size, Color colour, in DrawPlacement where, double time)
         {
-            Fill(drawn, spacing, size, colour, where);
+            Fill(drawn, spacing, size, colour, where, time);
             preparedAt = Time.frameCount;
             WaterCameras.ThicknessOf(where)?.Apply(block);
             RenderParams parameters = placement.Parameters(front, block);
@@ -65,7 +68,7 @@ namespace SphFluid
         }
 
         /// <summary>Sets what is drawn and where, as <see cref="Draw"/> has it, for <see cref="Record"/>.</summary>
-        public void Fill(WhitewaterBuffers drawn, float spacing, float size, Color colour, in DrawPlacement where)
+        public void Fill(WhitewaterBuffers drawn, float spacing, float size, Color colour, in DrawPlacement where, double time)
         {
             buffers = drawn;
             placement = where;
@@ -73,7 +76,7 @@ namespace SphFluid
             block.SetFloat(Spacing, spacing);
             block.SetFloat(Size, size);
             block.SetFloat(Shutter, ShutterTime);
-            block.SetTexture(Lace, lace);
+            block.SetFloat(Phase, (float)(time / FoamPeriod % FoamPeriods));
             ThicknessPass.ApplyNone(block);
             block.SetColor(RenderShaderIds.Color, colour);
             block.SetMatrix(RenderShaderIds.FluidLocalToWorld, placement.LocalToWorld);
@@ -104,7 +107,6 @@ namespace SphFluid
         {
             WaterCameras.Remove(this);
             DestroyMaterials();
-            OwnedObject.Destroy(ref lace);
         }
 
         private void DestroyMaterials()

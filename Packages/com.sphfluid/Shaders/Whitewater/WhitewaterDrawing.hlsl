@@ -5,6 +5,7 @@
 
 #include "WhitewaterTypes.hlsl"
 #include "WhitewaterHash.hlsl"
+#include "FoamPattern.hlsl"
 #include "../Rendering/WaterPath.hlsl"
 #include "../Rendering/ReceivedShadow.hlsl"
 
@@ -15,8 +16,7 @@ float4 _Color;              // linear
 float _WhitewaterSpacing;   // dx [m]
 float _WhitewaterSize;      // 1 by default
 float _WhitewaterShutter;   // s
-Texture2D<float4> _WhitewaterLace; // LaceTexture.cs
-SamplerState sampler_LinearRepeat;
+float _WhitewaterPhase;     // of the pattern of foam, in its periods
 
 #define LEAST_RADIUS 1.0   // pixels; smaller spots cover less instead
 #define SHADOW_LIFT 1.0    // dx: how far before the bumpy surface shadows are taken
@@ -24,16 +24,18 @@ SamplerState sampler_LinearRepeat;
 #define FACING 0.35        // how much flakes turn towards the camera: foam has a thickness
 #define FADE_IN 0.04       // s
 #define FADE_OUT 1.2       // s
-#define LACE_PART 0.2      // of the lace's side, over the radius of a flake
+#define FOAM_CELL 0.33     // dx: a cell of the film that flakes are parts of
+#define BUBBLE_GAP 4.0     // dx: bubbles nearer to what is behind them are fainter
 #define LEAST_COVER 0.004  // of a spot that is drawn: a step of 8 bits
 
 struct SpotFragment
 {
     float4 clipPosition : SV_Position;
-    float2 across : TEXCOORD0; // from the middle, in radii
+    float3 across : TEXCOORD0; // xy: from the middle, in radii; z: kind
     float3 world : TEXCOORD1;
     nointerpolation float4 colour : TEXCOORD2; // premultiplied
-    float3 lace : TEXCOORD3; // xy: where the spot is cut from the lace; z: 1 of foam, else 0
+    float4 film : TEXCOORD3; // of foam: where in the two patterns, in cells
+    nointerpolation float contrast : TEXCOORD4;
     EYE_FIELD
 };
 
@@ -49,19 +51,22 @@ float SpotPixel(float3 world, float height)
     return 2.0 * FluidClipPosition(world).w / (across * max(height, 1.0));
 }
 
-// Whether a piece belongs into the picture of the scene that water refracts: nothing behind the scene, and of what is not within the water
-// nothing before it.
-bool IsSeenThroughWater(float3 world, uint kind)
+// How much of a piece belongs into the picture of the scene that water refracts: nothing behind the scene, and of what is not within the
+// water nothing before it. Bubbles fade before what they float close to: on it they would be spots of its own.
+float SeenThroughWater(float3 world, uint kind)
 {
     float2 screen = WaterScreen(world);
     float depth = WaterEyeDepth(world);
-    return depth < SceneEyeDepth(screen) && (kind == WHITEWATER_BUBBLE || depth > FirstLayerEnd(screen));
+    float before = SceneEyeDepth(screen) - depth;
+    float free = saturate(before / (BUBBLE_GAP * _WhitewaterSpacing));
+    float others = before > 0.0 && depth > FirstLayerEnd(screen) ? 1.0 : 0.0;
+    return kind == WHITEWATER_BUBBLE ? free * free : others;
 }
 
 // Foam lies on the surface, and is seen from below as it lies.
-bool IsSeenBeforeWater(float3 world, uint kind)
+float SeenBeforeWater(float3 world, uint kind)
 {
-    return kind == WHITEWATER_FOAM || !IsBeyondSurfaceFromWithin(WaterScreen(world), WaterEyeDepth(world));
+    return kind == WHITEWATER_FOAM || !IsBeyondSurfaceFromWithin(WaterScreen(world), WaterEyeDepth(world)) ? 1.0 : 0.0;
 }
 
 SpotFragment ExpandSpot(uint vertexId, bool behind)
@@ -87,18 +92,19 @@ SpotFragment ExpandSpot(uint vertexId, bool behind)
     }
     if (kind == WHITEWATER_FOAM)
     {
-        radius = lerp(0.18, 0.6, random.x * random.x);
-        cover = 0.6;
+        radius = lerp(0.25, 0.75, random.x * random.x);
+        cover = 0.55;
         normal = normalize(FluidWorldDirection(piece.normal) + view * FACING + 1e-6);
     }
     if (kind == WHITEWATER_BUBBLE && behind)
     {
-        radius = lerp(0.12, 0.5, random.x * random.x);
-        cover = 0.12;
+        radius = lerp(0.06, 0.25, random.x * random.x);
+        cover = 0.3;
     }
     radius *= _WhitewaterSpacing * _WhitewaterSize;
 
-    float drawn = max(radius, LEAST_RADIUS * SpotPixel(world, behind ? _FluidSceneHeight : _ScreenParams.y));
+    float pixel = SpotPixel(world, behind ? _FluidSceneHeight : _ScreenParams.y);
+    float drawn = max(radius, LEAST_RADIUS * pixel);
     float2 axis = float2(cos(6.2831853 * turn.x), sin(6.2831853 * turn.x));
     float3 along = normalize(abs(normal.y) < 0.9 ? cross(normal, float3(0.0, 1.0, 0.0)) : cross(normal, float3(1.0, 0.0, 0.0)));
     float3 across = cross(normal, along);
@@ -116,8 +122,7 @@ SpotFragment ExpandSpot(uint vertexId, bool behind)
         stretch = 1.0 + 0.5 * reach / drawn;
     }
     cover *= fade * (radius / drawn) * (radius / drawn) / sqrt(stretch);
-    bool isSeen = behind ? IsSeenThroughWater(world, kind) : IsSeenBeforeWater(world, kind);
-    cover = isSeen ? cover : 0.0;
+    cover *= behind ? SeenThroughWater(world, kind) : SeenBeforeWater(world, kind);
 
     SpotFragment output;
     EYE_TO(output)
@@ -125,21 +130,25 @@ SpotFragment ExpandSpot(uint vertexId, bool behind)
     float2 offset = (axis * (corner.x * stretch) + float2(-axis.y, axis.x) * corner.y) * (cover > LEAST_COVER ? drawn : 0.0);
     output.world = world + along * offset.x + across * offset.y;
     float3 lifted = output.world + (kind == WHITEWATER_FOAM ? WaterView(output.world) * (LIFT * _WhitewaterSpacing) : (float3)0.0);
-    output.across = corner;
+    output.across = float3(corner, (float)kind);
     output.clipPosition = FluidClipPosition(lifted);
     float3 lit = normalize((kind == WHITEWATER_FOAM ? normal : (float3)0.0) + float3(0.0, 1.0, 0.0));
     float sun = ReceivedSun(world, 0.0, SHADOW_LIFT, _FluidReceived.z);
     output.colour = float4(FluidExposed(FluidDiffuse(_Color.rgb, lit, sun)) * cover, cover);
-    output.lace = float3(turn.yz + LACE_PART * corner, kind == WHITEWATER_FOAM ? 1.0 : 0.0);
+    float cell = FOAM_CELL * _WhitewaterSpacing * _WhitewaterSize;
+    output.film = FilmPlaces(FluidLocalPosition(output.world), piece.velocity, piece.normal, _WhitewaterPhase, cell);
+    output.contrast = saturate(1.5 - 1.5 * pixel / cell);
     return output;
 }
 
 float4 ShadeSpot(SpotFragment input) : SV_Target
 {
-    float rest = saturate(1.0 - dot(input.across, input.across));
+    float rest = saturate(1.0 - dot(input.across.xy, input.across.xy));
     float density = rest * rest;
-    if (input.lace.z > 0.5)
-        density *= _WhitewaterLace.SampleLevel(sampler_LinearRepeat, input.lace.xy, 0.0).r;
+    // Of a flake's edge only the rims of cells are left, so that it has no outline of its own.
+    [branch]
+    if (abs(input.across.z - (float)WHITEWATER_FOAM) < 0.5)
+        density = saturate(1.6 * rest - 1.4 * (1.0 - FilmAt(input.film, _WhitewaterPhase, input.contrast)));
     return input.colour * density;
 }
 

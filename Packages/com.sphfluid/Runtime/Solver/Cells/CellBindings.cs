@@ -6,7 +6,7 @@ namespace SphFluid
     /// <summary>Records the globals that several kernels share, by the files of Shaders/Solver/Cells that declare them.</summary>
     internal static class CellBindings
     {
-        private const string MeshWalls = "FLUID_MESH_WALLS", FloatingBodies = "FLUID_FLOATING_BODIES", Carries = "FLUID_CARRIES";
+        private const string MeshWalls = FluidState.MeshWalls, FloatingBodies = "FLUID_FLOATING_BODIES", Carries = "FLUID_CARRIES";
 
         /// <summary>What a method takes along in the sort, to read and to write.</summary>
         public static readonly int Carried = Shader.PropertyToID("_Carried"), CarriedOut = Shader.PropertyToID("_CarriedOut");

@@ -110,6 +110,16 @@ namespace SphFluid
             else base.BindNeighbourList(cmd, kernel);
         }
 
+        /// <inheritdoc/>
+        public override void BindNearWalls(CommandBuffer cmd, ComputeKernel kernel)
+        {
+            bool isGathered = ListsNeighbours && HasBodies && Walls != null;
+            kernel.SetKeyword(cmd, MeshWalls, isGathered);
+            if (!isGathered) return;
+            kernel.Set(cmd, List.WallSlot);
+            kernel.Set(cmd, Walls.NearWalls);
+        }
+
         /// <summary>Makes the method's own buffers for another number of particles.</summary>
         protected virtual void ResizeOwn(int capacity, ICollection<IDisposable> replaced)
         {

@@ -3,7 +3,7 @@ namespace SphFluid
     /// <summary>What is needed only where there are triangles: walls near particles, and contacts.</summary>
     internal sealed class MeshWallBuffers : BufferSet
     {
-        /// <summary>Bytes of PackedWall in Shaders/Solver/Cells/MeshWalls.hlsl.</summary>
+        /// <summary>Bytes of PackedWall in Shaders/Solver/Cells/PackedWall.hlsl.</summary>
         public const int WallStride = 108;
 
         // Words of a particle in Shaders/Solver/Cells/Contacts.hlsl, and those before the first.

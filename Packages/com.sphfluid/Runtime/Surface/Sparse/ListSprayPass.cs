@@ -14,7 +14,10 @@ namespace SphFluid
 
         private FluidBuffer spray, groups, particles, arguments;
 
-        /// <summary>float a particle of the liquid, 0 to 1: which part of it left the surface.</summary>
+        /// <summary>
+        /// Two numbers of 32 bits a particle of the liquid: which part of it left the surface, 0 to 1, and how far apart along the flow the
+        /// two kernels of the rest lie.
+        /// </summary>
         public FluidBuffer Spray => spray;
 
         /// <summary>uint a group of 256 particles of the liquid.</summary>
@@ -30,7 +33,7 @@ namespace SphFluid
         /// <exception cref="FluidDeviceException">The device has too little memory.</exception>
         public void Reserve(int count)
         {
-            Grow(ref spray, "Spray", count, sizeof(float));
+            Grow(ref spray, "Spray", count, 2 * sizeof(uint));
             Grow(ref groups, "SprayGroups", GroupsOf(count), sizeof(uint));
             Grow(ref particles, "SprayParticles", count, Stride);
             Grow(ref arguments, "SprayArguments", ArgumentWords, sizeof(uint), Arguments);

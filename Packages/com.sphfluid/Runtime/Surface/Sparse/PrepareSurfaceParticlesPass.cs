@@ -47,6 +47,10 @@ namespace SphFluid
         // per cent.
         private const float LowDensity = 0.9f;
 
+        // How deep the surface reaches into a wall of triangles, in spacings: deeper than it would lie before the wall, less than what
+        // is thin there.
+        private const float WallPull = 0.3f;
+
         private const string SprayKeyword = "SURFACE_SPRAY";
 
         private static readonly int FieldWeight = Id("_FieldWeight");
@@ -57,6 +61,7 @@ namespace SphFluid
         private static readonly int FewNeighboursId = Id("_FewNeighbours");
         private static readonly int FarMeanId = Id("_FarMean");
         private static readonly int HighDensityId = Id("_HighDensity");
+        private static readonly int WallPullId = Id("_WallPull");
         private static readonly int LowDensityId = Id("_LowDensity");
         private static readonly int DensityScale = Id("_DensityScale");
         private static readonly int DensityOffset = Id("_DensityOffset");
@@ -77,6 +82,7 @@ namespace SphFluid
             using (Sample(cmd))
             {
                 input.Solver.BindNeighbours(cmd, kernel);
+                input.Solver.BindNearWalls(cmd, kernel);
                 input.SetField(cmd, kernel);
                 kernel.SetInt(cmd, FluidShaderIds.ParticleCount, input.Solver.ParticleCount);
                 kernel.SetFloat(cmd, FieldWeight, (float)KernelAtZero(input));
@@ -111,6 +117,7 @@ namespace SphFluid
         {
             SurfaceFieldSettings field = input.Field;
             input.Solver.BindNeighbourList(cmd, smooth);
+            smooth.SetFloat(cmd, WallPullId, WallPull * field.Spacing);
             double ratio = field.SupportRadius / (double)field.Spacing;
             smooth.SetFloat(cmd, Smoothing, field.Smoothing);
             smooth.SetFloat(cmd, LongestShift, field.LongestShift);

@@ -13,6 +13,7 @@ namespace SphFluid
 
         private static readonly int FieldReach = Id("_FieldReach");
         private static readonly int KernelExtent = Id("_KernelExtent");
+        private static readonly int LongestStretch = Id("_LongestStretch");
         private static readonly int UnionOffset = Id("_UnionOffset");
         private static readonly int PeriodSteps = Id("_PeriodSteps");
 
@@ -24,7 +25,7 @@ namespace SphFluid
             kernel = Kernel();
         }
 
-        public void Record(CommandBuffer cmd, in SurfaceInput input, SurfaceParticles particles)
+        public void Record(CommandBuffer cmd, in SurfaceInput input, SurfaceParticles particles, SprayParticles spray)
         {
             FluidSolver solver = input.Solver;
             SurfaceFieldSettings field = input.Field;
@@ -41,7 +42,15 @@ namespace SphFluid
                 kernel.SetFloat(cmd, UnionOffset, field.UnionOffset);
                 kernel.SetBuffer(cmd, FluidShaderIds.GridIndices, solver.GridIndices);
                 kernel.Set(cmd, particles.Kernels);
-                if (field.IsAnisotropic) kernel.Set(cmd, particles.Shapes);
+                if (field.IsAnisotropic)
+                {
+                    kernel.Set(cmd, particles.Shapes);
+                }
+                else
+                {
+                    kernel.Set(cmd, spray.Spray);
+                    kernel.SetFloat(cmd, LongestStretch, field.LongestShift / field.SupportRadius);
+                }
                 kernel.Set(cmd, input.Blocks.List);
                 kernel.Set(cmd, input.Blocks.Counters);
                 kernel.Set(cmd, input.Blocks.Samples);

@@ -128,7 +128,7 @@ namespace SphFluid
         public void Reserve(FluidSolver solver, in SurfaceFieldSettings field)
         {
             Particles.Reserve(solver.ParticleCount, field.IsAnisotropic);
-            if (field.HasSpray) Spray.Reserve(solver.ParticleCount);
+            Spray.Reserve(field.HasSpray ? solver.ParticleCount : 1);
         }
 
         /// <summary>From the particles to the samples of the blocks that they mark.</summary>
@@ -174,7 +174,7 @@ namespace SphFluid
         private void RecordRound(CommandBuffer cmd, in SurfaceInput input, bool late)
         {
             list.RecordRound(cmd, input.Blocks, late);
-            sample.Record(cmd, input, Particles);
+            sample.Record(cmd, input, Particles, Spray);
         }
     }
 }

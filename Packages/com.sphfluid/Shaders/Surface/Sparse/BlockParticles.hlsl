@@ -33,12 +33,8 @@
 #define ROW_ENDS_AT (ROW_TURNS_AT + SAMPLE_THREADS)
 #define CLUSTER_TOTALS_AT (ROW_ENDS_AT + SAMPLE_THREADS)
 #define CANDIDATE_WORDS (CLUSTER_TOTALS_AT + SAMPLE_THREADS / ROW_CLUSTER)
-#if defined(SURFACE_ANISOTROPIC)
-#define LOADED_INDICES_AT CANDIDATE_WORDS
-#define PARTICLE_WORDS (LOADED_INDICES_AT + LOAD_SIZE)
-#else
-#define PARTICLE_WORDS CANDIDATE_WORDS
-#endif
+#define LOADED_SHAPES_AT CANDIDATE_WORDS // indices of particles with shapes, else stretches
+#define PARTICLE_WORDS (LOADED_SHAPES_AT + LOAD_SIZE)
 #if VALUE_WORDS > PARTICLE_WORDS
 #define POOL_WORDS VALUE_WORDS
 #else
@@ -47,6 +43,10 @@
 groupshared uint pool[POOL_WORDS];
 
 StructuredBuffer<float4> _SurfaceParticles;
+#if !defined(SURFACE_ANISOTROPIC)
+StructuredBuffer<uint2> _Spray;       // y: stretch
+float _LongestStretch;                // in R, along the flow
+#endif
 StructuredBuffer<uint2> _GridIndices; // [first, end) of each cell of the fluid grid
 float _FieldReach;                    // m: how far from a sample the particles that it feels may lie
 float _KernelExtent;                  // R: how far kernels reach from their centres
@@ -229,9 +229,21 @@ void LoadParticle(PatchReach reach, uint j, uint turns, uint load, uint place)
     const float4 particle = _SurfaceParticles[j];
     precise const float3 centre = particle.xyz + _PeriodSteps * UnpackTurns(turns);
     const float3 patch = centre * reach.rate;
-    const int3 lower = int3(ceil(max(patch - reach.low, 0.0)));
-    const int3 end = int3(floor(min(patch + reach.high, float(PATCHES - 1)))) + 1;
-    const int3 reached = particle.w > 0.0 ? end - lower : 0;
+#if defined(SURFACE_ANISOTROPIC)
+    const uint shape = j;
+    const float3 apart = 0.0;
+#else
+    uint shape = NO_STRETCH;
+    [branch]
+    if (particle.w < 0.0)
+    {
+        shape = _Spray[j].y;
+    }
+    const float3 apart = abs(UnpackStretch(shape)) * (_LongestStretch * reach.rate);
+#endif
+    const int3 lower = int3(ceil(max(patch - apart - reach.low, 0.0)));
+    const int3 end = int3(floor(min(patch + apart + reach.high, float(PATCHES - 1)))) + 1;
+    const int3 reached = particle.w != 0.0 ? end - lower : 0;
     if (min(reached.x, min(reached.y, reached.z)) > 0)
     {
         const uint4 words = asuint(float4(centre, particle.w));
@@ -240,9 +252,7 @@ void LoadParticle(PatchReach reach, uint j, uint turns, uint load, uint place)
         pool[at + 1u] = words.y;
         pool[at + 2u] = words.z;
         pool[at + 3u] = words.w;
-#if defined(SURFACE_ANISOTROPIC)
-        pool[LOADED_INDICES_AT + place] = j;
-#endif
+        pool[LOADED_SHAPES_AT + place] = shape;
         const uint bit = 1u << (place % 32u);
         const uint masks = MasksAt(load) + place / 32u;
         for (int x = lower.x; x < end.x; x++)

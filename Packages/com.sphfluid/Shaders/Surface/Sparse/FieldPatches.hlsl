@@ -31,12 +31,23 @@ PatchPlaces PlacesOf(int3 first)
     return places;
 }
 
-// Adds a loaded particle to the samples of a patch. Along x, d . M d is left + x (tilt + x stretch).
-void AddParticle(uint place, PatchPlaces places, inout float3 sums[PATCH_ROWS])
+// Adds a kernel of a loaded particle to the samples of a patch. Along x, d . M d is left + x (tilt + x stretch). Returns whether it
+// has another.
+bool AddKernel(uint place, bool isSecond, PatchPlaces places, inout float3 sums[PATCH_ROWS])
 {
-    const float4 particle = LoadedParticle(place);
+    float4 particle = LoadedParticle(place);
 #if defined(SURFACE_ANISOTROPIC)
-    const KernelShape shape = _SurfaceShapes[pool[LOADED_INDICES_AT + place]];
+    const bool isStretched = false;
+    const KernelShape shape = _SurfaceShapes[pool[LOADED_SHAPES_AT + place]];
+#else
+    const bool isStretched = particle.w < 0.0;
+    [branch]
+    if (isStretched)
+    {
+        const float apart = isSecond ? -_LongestStretch : _LongestStretch;
+        precise const float3 centre = particle.xyz + apart * UnpackStretch(pool[LOADED_SHAPES_AT + place]);
+        particle = float4(centre, -particle.w);
+    }
 #endif
     precise const float3 x = particle.x - places.x;
     precise const float3 y = particle.y - places.y;
@@ -57,6 +68,7 @@ void AddParticle(uint place, PatchPlaces places, inout float3 sums[PATCH_ROWS])
         precise const float3 sum = mad(particle.w, cube, sums[row]);
         sums[row] = sum;
     }
+    return isStretched && !isSecond;
 }
 
 // Adds what a load of particles gives to the samples of a patch. In one loop over all of its bits: threads that run side by
@@ -64,9 +76,16 @@ void AddParticle(uint place, PatchPlaces places, inout float3 sums[PATCH_ROWS])
 void AddLoad(uint load, int3 patch, PatchPlaces places, inout float3 sums[PATCH_ROWS])
 {
     uint4 mask = MaskOf(load, patch);
-    while ((mask.x | mask.y | mask.z | mask.w) != 0u)
+    uint place = 0u;
+    bool isSecond = false;
+    while (isSecond || (mask.x | mask.y | mask.z | mask.w) != 0u)
     {
-        AddParticle(TakeBit(mask), places, sums);
+        [branch]
+        if (!isSecond)
+        {
+            place = TakeBit(mask);
+        }
+        isSecond = AddKernel(place, isSecond, places, sums);
     }
 }
 

@@ -30,33 +30,39 @@ namespace SphFluid.Tests
             FluidSolverSettings settings = Settings(periodic);
             SurfaceFieldSettings field = Field(settings);
             SurfaceGrid grid = SurfaceGrid.OverDomain(Domain, field.CellSize);
-            using (var rig = new BlockFieldRig(shaders, settings, ParticleSets.Random(count, Domain, 0f, count)))
+            using (var rig = new BlockFieldRig(shaders, settings, Flowing(count, Domain)))
             {
                 rig.Record(field, grid);
                 FluidParticle[] particles = GpuTest.Read<FluidParticle>(rig.Solver.Particles, count);
                 Vector4[] kernels = GpuTest.Read<Vector4>(rig.Passes.Particles.Kernels, count);
-                float[] spray = GpuTest.Read<float>(rig.Passes.Spray.Spray, count);
+                SprayPart[] spray = GpuTest.Read<SprayPart>(rig.Passes.Spray.Spray, count);
                 var reference = new SurfaceFieldReference(particles, settings, field, grid);
                 for (int i = 0; i < count; i++)
                 {
-                    Assert.AreEqual(reference.Spray(i), spray[i], 1e-4, $"spray of particle {i} of {count}");
-                    Assert.AreEqual(reference.Weight(i), kernels[i].w, 1e-4, $"weight of particle {i} of {count}");
+                    Assert.AreEqual(reference.Spray(i), spray[i].Part, 1e-4, $"spray of particle {i} of {count}");
+                    Assert.AreEqual(reference.Weight(i), Math.Abs(kernels[i].w), 1e-4, $"weight of particle {i} of {count}");
+                    Double3 missed = field.LongestShift * (Double3)spray[i].Stretch - reference.Apart(i);
+                    Assert.Less(missed.Length, 3e-3 * field.LongestShift, $"stretch of particle {i} of {count}");
+                    Assert.AreEqual(kernels[i].w < 0f, spray[i].Stretch != Vector3.zero && spray[i].Part < 1f, $"particle {i} of {count}");
                 }
             }
         }
 
-        [TestCase(1, 1, 1, 1f)]
-        [TestCase(2, 1, 1, 1f)]
-        [TestCase(9, 1, 1, 1f)]
-        [TestCase(2, 2, 2, 0.3f)]
-        [TestCase(9, 9, 1, 0f)]
-        [TestCase(9, 9, 5, 0f)]
-        public void ClumpsLeaveAndFilmsStay(int x, int y, int z, float expected)
+        [TestCase(1, 1, 1, 1f, 1f)]
+        [TestCase(2, 1, 1, 1f, 0f)]
+        [TestCase(9, 1, 1, 1f, 0f)]
+        [TestCase(2, 2, 2, 0.3f, 0f)]
+        [TestCase(9, 9, 1, 0f, 0f)]
+        [TestCase(9, 9, 5, 0f, 0f)]
+        public void ClumpsThatFlyApartLeaveAndStreamsAndFilmsStay(int x, int y, int z, float apart, float together)
         {
             Vector3[] positions = Lattice(x, y, z).ToArray();
-            int middle = Array.IndexOf(positions, Spacing * new Vector3(x / 2, y / 2, 0f));
-            SprayOf(positions, out float[] spray, out _);
-            Assert.AreEqual(expected, spray[middle], 0.15f);
+            Vector3 place = Spacing * new Vector3(x / 2, y / 2, 0f);
+            int middle = Array.IndexOf(positions, place);
+            SprayOf(positions, p => 20f * (p - place), out float[] spray, out _);
+            Assert.AreEqual(apart, spray[middle], 0.15f, "apart");
+            SprayOf(positions, _ => Vector3.down, out spray, out _);
+            Assert.AreEqual(together, spray[middle], 0.15f, "together");
         }
 
         [Test]
@@ -92,7 +98,7 @@ namespace SphFluid.Tests
                 float[] amounts = Enumerable.Range(0, count)
                     .Select(_ => random.NextDouble() < part ? (float)random.NextDouble() + 1e-3f : 0f).ToArray();
                 spray.Reserve(count);
-                spray.Spray.SetData(amounts);
+                spray.Spray.SetData(amounts.Select(amount => new SprayPart { Part = amount }).ToArray());
                 GpuTest.Run(cmd => new ListSprayPass(shaders).Record(cmd, solver, spray, vertices));
                 FluidParticle[] particles = GpuTest.Read<FluidParticle>(solver.Particles, count);
                 int[] leaving = Enumerable.Range(0, count).Where(i => amounts[i] > 0f).ToArray();
@@ -122,7 +128,7 @@ namespace SphFluid.Tests
             {
                 float height = Mathf.Lerp(4f, 0f, frame / (frames - 1f));
                 Vector3 drop = Spacing * new Vector3(4.3f, 4.4f, 4f + height);
-                SprayOf(pool.Append(drop).ToArray(), out float[] spray, out float[] kept);
+                SprayOf(pool.Append(drop).ToArray(), p => p == drop ? Vector3.down : Vector3.zero, out float[] spray, out float[] kept);
                 float shown = spray[pool.Length];
                 Assert.AreEqual(1f, shown + kept[pool.Length], 1e-4f,
                     $"frame {frame}: the part drawn as drops and the part in the surface");
@@ -135,23 +141,43 @@ namespace SphFluid.Tests
         }
 
         // By place in the array: which part is spray, and which part of its weight in a surface without spray a particle still has.
-        private void SprayOf(Vector3[] positions, out float[] spray, out float[] kept)
+        private void SprayOf(Vector3[] positions, Func<Vector3, Vector3> velocity, out float[] spray, out float[] kept)
         {
             FluidSolverSettings settings = Settings(FluidAxes.None);
             SurfaceFieldSettings field = Field(settings);
             SurfaceGrid grid = SurfaceGrid.OverDomain(Domain, field.CellSize);
             Vector3 middle = 0.5f * positions.Aggregate((a, b) => a + b) / positions.Length;
             var liquid = new FluidParticle[positions.Length];
-            for (int i = 0; i < liquid.Length; i++) liquid[i] = new FluidParticle { Position = positions[i] - middle, Id = (uint)i };
+            for (int i = 0; i < liquid.Length; i++) liquid[i] = new FluidParticle(positions[i] - middle, velocity(positions[i]), (uint)i);
             using (var rig = new BlockFieldRig(shaders, settings, liquid))
             {
                 rig.Record(field.WithSpray(false), grid);
                 float[] whole = ById(rig, GpuTest.Read<Vector4>(rig.Passes.Particles.Kernels, liquid.Length).Select(kernel => kernel.w));
                 rig.Record(field, grid);
                 float[] rest = ById(rig, GpuTest.Read<Vector4>(rig.Passes.Particles.Kernels, liquid.Length).Select(kernel => kernel.w));
-                spray = ById(rig, GpuTest.Read<float>(rig.Passes.Spray.Spray, liquid.Length));
-                kept = rest.Select((weight, i) => weight / whole[i]).ToArray();
+                spray = ById(rig, GpuTest.Read<SprayPart>(rig.Passes.Spray.Spray, liquid.Length).Select(p => p.Part));
+                kept = rest.Select((weight, i) => (weight < 0f ? -2f * weight : weight) / whole[i]).ToArray();
             }
+        }
+
+        /// <summary>Particles of which two in three fly as one, the others each on its own way.</summary>
+        internal static FluidParticle[] Flowing(int count, Vector3 domain)
+        {
+            FluidParticle[] particles = ParticleSets.Random(count, domain, 1f, count);
+            for (int i = 0; i < count; i++)
+            {
+                if (i % 3 != 0) particles[i] = new FluidParticle(particles[i].Position, 2f * Vector3.down + 0.3f * particles[i].VelT1, (uint)i);
+            }
+            return particles;
+        }
+
+        // An element of _Spray. Stretches have 10 bits an axis, 512 for zero.
+        private struct SprayPart
+        {
+            public float Part;
+            private readonly uint stretch;
+
+            public Vector3 Stretch => (new Vector3(stretch & 1023, stretch >> 10 & 1023, stretch >> 20 & 1023) - 512f * Vector3.one) / 511f;
         }
 
         private static float[] ById(BlockFieldRig rig, IEnumerable<float> values)

@@ -36,6 +36,18 @@ namespace SphFluid.Tests
                 SurfaceGrid.OverDomain(Domain, field.CellSize));
         }
 
+        // Two of three fly as one, so that many kernels are stretched; others leave.
+        [TestCase(63, FluidSurfaceQuality.Default)]
+        [TestCase(257, FluidSurfaceQuality.High)]
+        [TestCase(701, FluidSurfaceQuality.Cheap, FluidAxes.X)]
+        [TestCase(1009, FluidSurfaceQuality.Default)]
+        public void FlowingFieldEqualsTheSumOverAllParticles(int count, FluidSurfaceQuality quality, FluidAxes periodic = FluidAxes.None)
+        {
+            FluidSolverSettings settings = Settings(true, periodic);
+            SurfaceFieldSettings field = SurfaceFieldSettings.For(quality, settings).WithSpray(true);
+            CompareWithReference(ListSprayTests.Flowing(count, Domain), settings, field, SurfaceGrid.OverDomain(Domain, field.CellSize), 2e-3);
+        }
+
         // Spacings far from 1 m on either side of it: a length taken for its square or its inverse shows.
         [TestCase(1f / 64f)]
         [TestCase(64f)]

@@ -16,6 +16,7 @@ namespace SphFluid.Tests
         private readonly Double3[] centres;
         private readonly double[] volumes; // in dx³
         private readonly double[] sprays;
+        private readonly Double3[] apart; // from a kernel's centre to the two that stand for it; zero for one
         private readonly Covariance[] shapes; // of stretched kernels; null where all are round
         private readonly Dictionary<Vector3Int, double> raw = new Dictionary<Vector3Int, double>();
 
@@ -28,6 +29,7 @@ namespace SphFluid.Tests
             centres = new Double3[particles.Count];
             volumes = new double[particles.Count];
             sprays = new double[particles.Count];
+            apart = new Double3[particles.Count];
             for (int i = 0; i < particles.Count; i++)
             {
                 centres[i] = particles[i].Position;
@@ -40,8 +42,11 @@ namespace SphFluid.Tests
         /// <summary>Where a particle's kernel lies [m].</summary>
         public Double3 Centre(int particle) => centres[particle];
 
-        /// <summary>What a particle gives to the field at the centre of its kernel.</summary>
-        public double Weight(int particle) => volumes[particle] * Kernel(0.0);
+        /// <summary>What a kernel of a particle gives to the field at its centre.</summary>
+        public double Weight(int particle) => volumes[particle] * Kernel(0.0) * (IsStretched(particle) ? 0.5 : 1.0);
+
+        /// <summary>From a kernel's centre to each of the two that stand for it [m]; zero where there is one.</summary>
+        public Double3 Apart(int particle) => apart[particle];
 
         /// <summary>Which part of a particle left the surface.</summary>
         public double Spray(int particle) => sprays[particle];
@@ -97,7 +102,8 @@ namespace SphFluid.Tests
                 for (int i = 0; i < centres.Length; i++)
                 {
                     Double3 d = Separation(centres[i], position);
-                    sum += volumes[i] * Kernel(shapes == null ? d.Length : Math.Sqrt(shapes[i].Product(d, d)));
+                    if (IsStretched(i)) sum += 0.5 * volumes[i] * (Kernel((d + apart[i]).Length) + Kernel((d + -1.0 * apart[i]).Length));
+                    else sum += volumes[i] * Kernel(shapes == null ? d.Length : Math.Sqrt(shapes[i].Product(d, d)));
                 }
                 if (field.WallCompletion) sum /= KernelPartInside(position);
                 raw.Add(s, sum);
@@ -105,12 +111,14 @@ namespace SphFluid.Tests
             return sum;
         }
 
+        private bool IsStretched(int particle) => apart[particle].Length > 0.0;
+
         private void Smooth(IReadOnlyList<FluidParticle> particles)
         {
             double radius = field.SupportRadius;
             for (int i = 0; i < particles.Count; i++)
             {
-                double density = 0.0, weights = 0.0;
+                double density = 0.0, weights = 0.0, fellows = 0.0;
                 var mean = new Double3(0.0, 0.0, 0.0);
                 var moments = new Covariance();
                 int count = 0;
@@ -125,18 +133,23 @@ namespace SphFluid.Tests
                     mean += w * d;
                     moments.Add(w, d);
                     count++;
+                    if (other.Id != particles[i].Id) fellows += w * Likeness(particles[i].VelT1, other.VelT1);
                 }
                 var shift = field.Smoothing / weights * mean;
                 shift = new Double3(shift.X * Fade(position.X, 0), shift.Y * Fade(position.Y, 1),
                     shift.Z * Fade(position.Z, 2));
                 double longest = field.Smoothing * settings.Spacing;
-                centres[i] = position + Math.Min(1.0, longest / Math.Max(shift.Length, 1e-30)) * shift;
-                volumes[i] = KernelPartInside(position) / density;
                 if (field.HasSpray)
                 {
-                    sprays[i] = SprayOf(density, position);
-                    volumes[i] *= 1.0 - sprays[i];
+                    double company = Company(density, position);
+                    sprays[i] = 1.0 - Step(0.38, 0.60, company + 0.4 * fellows);
+                    double part = (1.0 - Step(0.45, 0.75, company)) * Math.Min(fellows, 1.0);
+                    apart[i] = longest * InSteps(part * Direction(particles[i].VelT1));
+                    longest -= apart[i].Length;
                 }
+                centres[i] = position + Math.Min(1.0, longest / Math.Max(shift.Length, 1e-30)) * shift;
+                volumes[i] = KernelPartInside(position) / density;
+                volumes[i] *= 1.0 - sprays[i];
                 if (shapes == null) continue;
                 moments.Add(-1.0 / weights, mean);
                 bool lone = count - 1 <= 6;
@@ -146,11 +159,26 @@ namespace SphFluid.Tests
         }
 
         // Of the neighbours, what walls cut off is made up for up to a half.
-        private double SprayOf(double density, Double3 position)
+        private double Company(double density, Double3 position) =>
+            Kernel(0.0) + (density - Kernel(0.0)) / Math.Max(KernelPartInside(position), 0.5);
+
+        private static double Likeness(Vector3 own, Vector3 other) =>
+            1.0 - Step(0.2, 0.8, ((Double3)(other - own)).Length / Math.Max(((Double3)own).Length, 1e-6));
+
+        private static Double3 Direction(Vector3 velocity)
         {
-            double company = Kernel(0.0) + (density - Kernel(0.0)) / Math.Max(KernelPartInside(position), 0.5);
-            double t = Math.Min(Math.Max((company - 0.38) / (0.60 - 0.38), 0.0), 1.0);
-            return 1.0 - t * t * (3.0 - 2.0 * t);
+            Double3 exact = velocity;
+            return 1.0 / Math.Max(exact.Length, 1e-6) * exact;
+        }
+
+        // As the surface packs it, so that one kernel stands where the reference has one.
+        private static Double3 InSteps(Double3 part) =>
+            1.0 / 511.0 * new Double3(Math.Round(511.0 * part.X), Math.Round(511.0 * part.Y), Math.Round(511.0 * part.Z));
+
+        private static double Step(double from, double to, double x)
+        {
+            double t = Math.Min(Math.Max((x - from) / (to - from), 0.0), 1.0);
+            return t * t * (3.0 - 2.0 * t);
         }
 
         private double Kernel(double r) => ThesisReference.Poly6(r, field.SupportRadius) * Math.Pow(settings.Spacing, 3.0);
