@@ -9,7 +9,8 @@ namespace SphFluid.Editor
     /// <summary>Fields of an inspector, with their units in the labels.</summary>
     internal static class FluidInspector
     {
-        private const BindingFlags Fields = BindingFlags.Instance | BindingFlags.NonPublic | BindingFlags.Public | BindingFlags.DeclaredOnly;
+        private const BindingFlags Fields = BindingFlags.Instance | BindingFlags.NonPublic | BindingFlags.Public |
+            BindingFlags.DeclaredOnly;
 
         /// <summary>Draws the fields of the edited objects, in their order.</summary>
         /// <param name="edited">The objects.</param>
@@ -39,8 +40,10 @@ namespace SphFluid.Editor
         /// <summary>A field's name, its unit and its tooltip.</summary>
         public static GUIContent Label(SerializedProperty property)
         {
-            string unit = UnitOf(property.serializedObject.targetObject.GetType(), property.name);
-            return new GUIContent(unit == null ? property.displayName : $"{property.displayName} ({unit})", property.tooltip);
+            FieldInfo field = FieldOf(property.serializedObject.targetObject.GetType(), property.name);
+            string unit = field?.GetCustomAttribute<UnitAttribute>()?.Symbol;
+            return new GUIContent(unit == null ? property.displayName : $"{property.displayName} ({unit})",
+                field?.GetCustomAttribute<TooltipAttribute>()?.tooltip);
         }
 
         /// <summary>The liquid that all of some simulations are of; null where they differ, or one has none.</summary>
@@ -50,10 +53,10 @@ namespace SphFluid.Editor
             return Array.TrueForAll(simulations, s => s != null && s.ActiveLiquid == liquid) ? liquid : null;
         }
 
-        private static string UnitOf(Type type, string field)
+        private static FieldInfo FieldOf(Type type, string name)
         {
             for (; type != null; type = type.BaseType)
-                if (type.GetField(field, Fields) is FieldInfo found) return found.GetCustomAttribute<UnitAttribute>()?.Symbol;
+                if (type.GetField(name, Fields) is FieldInfo found) return found;
             return null;
         }
     }

@@ -28,7 +28,9 @@ namespace SphFluid.Editor
             FluidInspector.Draw(serializedObject, Hidden(serializedObject, liquid));
             serializedObject.ApplyModifiedProperties();
             if (liquid != null)
+            {
                 EditorGUILayout.HelpBox($"Drawn as '{liquid.name}'. Switch Own Look on for a look of its own.", MessageType.Info);
+            }
             if (Array.Exists(targets, t => ((FluidSurfaceRenderer)t).ActiveLook == FluidSurfaceLook.Water))
             {
                 WaterRoute route = WaterRoute.Active;
@@ -62,7 +64,10 @@ namespace SphFluid.Editor
         private static FluidLiquid LiquidOf(Object[] drawn) => Array.Exists(drawn, t => ((FluidSurfaceRenderer)t).OwnLook) ? null
             : FluidInspector.LiquidOf(Array.ConvertAll(drawn, t => ((FluidSurfaceRenderer)t).Simulation));
 
-        private static FluidLiquid SimulationLiquid(Object drawn) => ((FluidSurfaceRenderer)drawn).Simulation is FluidSimulation s && s != null
-            ? s.ActiveLiquid : null;
+        private static FluidLiquid SimulationLiquid(Object drawn)
+        {
+            FluidSimulation simulation = ((FluidSurfaceRenderer)drawn).Simulation;
+            return simulation != null ? simulation.ActiveLiquid : null;
+        }
     }
 }

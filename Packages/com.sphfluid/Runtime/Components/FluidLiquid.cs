@@ -16,8 +16,8 @@ namespace SphFluid
         private FluidProfile profile;
 
         [SerializeField,
-            Tooltip("How it is brought to rest before the first frame, in simulations whose own Start Relaxation is None. Method Standard " +
-            "only.")]
+            Tooltip("How it is brought to rest before the first frame, in simulations whose own Start Relaxation is None. " +
+            "Method Standard only.")]
         private FluidStartRelaxation startRelaxation;
 
         [Header("Look")]

@@ -131,8 +131,8 @@ float3 FluidDiffuse(float3 albedo, float3 normal, float sun)
 }
 
 // Blinn-Phong with its energy factor (n + 8) / 8; smoothness 0...1 stands for exponents 2...2048.
-// reflectance: at a right angle. variance: of the normal over a pixel; it lowers the exponent, so that highlights smaller than a pixel do not sparkle (Kaplanyan et al.
-// 2016).
+// variance: of the normal over a pixel; it lowers the exponent, so that highlights smaller than a pixel do not sparkle (Kaplanyan et al.
+// 2016). reflectance: at a right angle.
 float3 FluidHighlight(float smoothness, float3 normal, float3 view, float variance, float reflectance)
 {
     float3 light = _FluidLightDirection.xyz;

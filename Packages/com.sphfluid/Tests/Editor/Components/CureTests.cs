@@ -29,7 +29,7 @@ namespace SphFluid.Tests
             (string words, Action<CureTests> apply)[] cures)[] Cases =
         {
             ("no profile", "No liquid is assigned", t => t.simulation.Profile = null,
-                new (string, Action<CureTests>)[] 
+                new (string, Action<CureTests>)[]
             {
                 ("Assign a Fluid Liquid", t => t.simulation.Liquid = TestAssets.Load<FluidLiquid>(WaterPath)),
                 ("or a Fluid Profile", t => t.simulation.Profile = t.rig.Profile),

@@ -1,4 +1,5 @@
 using System.Linq;
+using System.Reflection;
 using NUnit.Framework;
 using SphFluid.Editor;
 using UnityEditor;
@@ -11,6 +12,8 @@ namespace SphFluid.Tests
     /// <summary>Menu entries: what they make works, stands on what lies below, and goes in one step of undo.</summary>
     public sealed class FluidMenuTests
     {
+        private const BindingFlags Statics = BindingFlags.Static | BindingFlags.Public | BindingFlags.NonPublic;
+
         private static readonly MenuCommand Nowhere = new MenuCommand(null);
 
         private static readonly System.Action<MenuCommand>[] Entries =
@@ -41,7 +44,8 @@ namespace SphFluid.Tests
         [Test]
         public void LiquidsComeFirstThenTheTankAndNoneRepeatsTheWordFluid()
         {
-            var entries = new[] { typeof(FluidMenu), typeof(FluidLiquidMenu) }.SelectMany(t => t.GetMethods()).SelectMany(m => m.GetCustomAttributes(typeof(MenuItem), false)).Cast<MenuItem>()
+            MenuItem[] entries = new[] { typeof(FluidMenu), typeof(FluidLiquidMenu) }.SelectMany(t => t.GetMethods(Statics))
+                .SelectMany(m => m.GetCustomAttributes(typeof(MenuItem), false)).Cast<MenuItem>()
                 .Where(e => !e.validate).OrderBy(e => e.priority).ToArray();
             Assert.That(entries.Last().priority, Is.LessThan(50), "entries beyond are not in the Hierarchy's menu");
             string[] paths = entries.Select(e => e.menuItem).ToArray();

@@ -1,5 +1,6 @@
 using System.IO;
 using System.Linq;
+using System.Reflection;
 using NUnit.Framework;
 using SphFluid.Editor;
 using UnityEditor;
@@ -26,8 +27,9 @@ namespace SphFluid.Tests
         public void TearDown() => EditorSceneManager.NewScene(NewSceneSetup.EmptyScene);
 
         [Test]
-        public void TheyAreTen() => Assert.That(Directory.GetFiles(Path.GetFullPath(Folder), "*.asset").Select(Path.GetFileNameWithoutExtension),
-            Is.EquivalentTo(Names));
+        public void TheyAreTen() =>
+            Assert.That(Directory.GetFiles(Path.GetFullPath(Folder), "*.asset").Select(Path.GetFileNameWithoutExtension),
+                Is.EquivalentTo(Names));
 
         [Test]
         public void ItMovesHasAColourAndSaysWhereItsConstantsAreFrom([ValueSource(nameof(Names))] string name)
@@ -71,7 +73,7 @@ namespace SphFluid.Tests
         }
 
         // What the entry GameObject > Fluid > Liquid > NAME calls: the second click after GameObject in an empty scene.
-        private static void Choose(string name) => typeof(FluidLiquidMenu).GetMethods()
+        private static void Choose(string name) => typeof(FluidLiquidMenu).GetMethods(BindingFlags.Static | BindingFlags.NonPublic)
             .Single(m => m.GetCustomAttributes(typeof(MenuItem), false).Cast<MenuItem>()
                 .Any(e => e.menuItem == "GameObject/Fluid/Liquid/" + name))
             .Invoke(null, new object[] { new MenuCommand(null) });

@@ -26,7 +26,7 @@ namespace SphFluid.Tests
             Assert.That(FluidSimulationEditor.Rows, Has.Length.LessThanOrEqualTo(MostRows));
             Assert.That(FluidSimulationEditor.Rows.First(), Is.EqualTo("liquid"));
             string[] all = FluidInspector.Visible(edited, new string[0]).ToArray();
-            Assert.That(all.Take(FluidSimulationEditor.Rows.Length), Is.EqualTo(FluidSimulationEditor.Rows), "as the fields are in the script");
+            Assert.That(all.Take(FluidSimulationEditor.Rows.Length), Is.EqualTo(FluidSimulationEditor.Rows), "as in the script");
             Assert.That(FluidInspector.Visible(edited, FluidSimulationEditor.Rows), Is.EqualTo(all.Except(FluidSimulationEditor.Rows)));
         }
 
