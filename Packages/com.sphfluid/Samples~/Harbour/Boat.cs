@@ -3,8 +3,8 @@ using UnityEngine;
 namespace SphFluid.Samples
 {
     /// <summary>
-    /// Drives and steers a floating body: the propeller pushes at the stern, turned by the rudder, while it is under water. Set Throttle and
-    /// Rudder from the player's input. The liquid does the rest: it carries the hull, slows it down and rolls it.
+    /// Drives and steers a floating body: the propeller pushes at the stern, turned by the rudder, while it is under water. Set Throttle
+    /// and Rudder from the player's input. The liquid does the rest: it carries the hull, slows it down and rolls it.
     /// </summary>
     [RequireComponent(typeof(Rigidbody))]
     public sealed class Boat : MonoBehaviour
