@@ -180,10 +180,11 @@ namespace SphFluid.Editor
         {
             if (Application.isPlaying) return;
             if (FillGizmos.Text(validation.Memory) is string text) EditorGUILayout.HelpBox(text, MessageType.None);
+            bool isSaved = Simulation.StartRelaxation == FluidStartRelaxation.Saved;
             bool relaxes = Simulation.StartRelaxation != FluidStartRelaxation.None &&
                 FluidMethods.Has(Simulation.ActiveMethod, FluidMethodFeatures.RelaxedStart);
             if (!relaxes || validation.Preview == null) return;
-            if (!validation.Memory.IsRelaxed && GUILayout.Button("Preview Relaxed Start")) validation.Relax();
+            if (!isSaved && !validation.Memory.IsRelaxed && GUILayout.Button("Preview Relaxed Start")) validation.Relax();
             if (GUILayout.Button("Save Relaxed Start")) RelaxedStartAsset.TrySave(Simulation);
         }
 

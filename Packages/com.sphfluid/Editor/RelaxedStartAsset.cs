@@ -57,6 +57,7 @@ namespace SphFluid.Editor
             {
                 FluidSpec spec = simulation.Spec;
                 spec.SavedStart = null;
+                if (spec.StartRelaxation == FluidStartRelaxation.Saved) spec.StartRelaxation = FluidStartRelaxation.Hydrostatic;
                 said.AddRange(FluidChecks.Check(spec, FluidScene.Volumes(simulation), collision, FluidSpawner.Fill, out FluidStart start));
                 if (start == null) return null;
                 try

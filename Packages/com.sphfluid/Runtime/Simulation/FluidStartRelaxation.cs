@@ -11,5 +11,9 @@ namespace SphFluid
 
         /// <summary>Under gravity: walls and colliders carry the liquid, compressed by its own weight.</summary>
         Hydrostatic,
+
+        /// <summary>As Hydrostatic, but only as it was saved: the start takes no time, and liquid that was changed since is not relaxed.
+        /// </summary>
+        Saved,
     }
 }

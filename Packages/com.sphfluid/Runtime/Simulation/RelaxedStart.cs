@@ -24,7 +24,8 @@ namespace SphFluid
             in FluidSpec spec, FluidStart start, CollisionScene collision, StartWatch watch, Action<FluidMessage> report)
         {
             if (spec.StartRelaxation == FluidStartRelaxation.None || start.Particles.Count == 0) return start.Particles;
-            if (!FluidMethods.Has(spec.Method, FluidMethodFeatures.RelaxedStart))
+            bool isSaved = spec.StartRelaxation == FluidStartRelaxation.Saved;
+            if (!isSaved && !FluidMethods.Has(spec.Method, FluidMethodFeatures.RelaxedStart))
             {
                 Report(spec, report, FluidSeverity.Warning,
                     $"Start Relaxation needs the method Standard; with {spec.Method} the liquid starts from its lattice.",
@@ -37,10 +38,15 @@ namespace SphFluid
             if (spec.SavedStart != null)
             {
                 if (saved.TryRead(spec.SavedStart.bytes, out FluidParticle[] rested)) return rested;
-                Report(spec, report, FluidSeverity.Info,
-                    $"The saved start '{spec.SavedStart.name}' is of another liquid or another vessel, so the liquid comes to rest anew.",
-                    "Save it again in the inspector: Save Relaxed Start.");
             }
+            if (isSaved || spec.SavedStart != null)
+            {
+                Report(spec, report, FluidSeverity.Info,
+                    (spec.SavedStart == null ? "No relaxed start was saved" : "The relaxed start was saved of another liquid or vessel") +
+                    (isSaved ? ", so the liquid starts from its lattice." : ", so the liquid comes to rest anew."),
+                    "Save it in the inspector: Save Relaxed Start.");
+            }
+            if (isSaved) return start.Particles;
             var clock = Stopwatch.StartNew();
             using (var bodies = new CollisionBodies(settings))
             {

@@ -11,6 +11,9 @@ namespace SphFluid.Samples
         [SerializeField, Min(0f), Tooltip("Strokes to and fro a second [1/s].")]
         private float frequency = 0.9f;
 
+        [SerializeField, Min(0f), Tooltip("How long it rests at first [s].")]
+        private float rest = 0.5f;
+
         private Vector3 middle;
         private float time;
 
@@ -19,8 +22,9 @@ namespace SphFluid.Samples
         private void Update()
         {
             time += Time.deltaTime;
-            float gentle = Mathf.SmoothStep(0f, 1f, frequency * time);
-            transform.position = middle + gentle * stroke * Mathf.Sin(2f * Mathf.PI * frequency * time) * Vector3.right;
+            float strokes = frequency * Mathf.Max(0f, time - rest);
+            float gentle = Mathf.SmoothStep(0f, 1f, strokes);
+            transform.position = middle + gentle * stroke * Mathf.Sin(2f * Mathf.PI * strokes) * Vector3.right;
         }
     }
 }

@@ -48,7 +48,8 @@ namespace SphFluid
             (spec.Emitters?.Count ?? 0) + (spec.Drains?.Count ?? 0) > 0 && !method.Has(FluidMethodFeatures.ChangingCount)
             ? "emitters and drains" :
             spec.Zones?.Count > 0 && !method.Has(FluidMethodFeatures.ForceZones) ? "force zones" :
-            spec.StartRelaxation != FluidStartRelaxation.None && !method.Has(FluidMethodFeatures.RelaxedStart) ? "relaxed start" : null;
+            spec.StartRelaxation != FluidStartRelaxation.None && spec.StartRelaxation != FluidStartRelaxation.Saved &&
+                !method.Has(FluidMethodFeatures.RelaxedStart) ? "relaxed start" : null;
 
         /// <summary>
         /// What any method that Automatic may pick finds that a liquid asks for, whether or not that method can be picked.
