@@ -55,7 +55,7 @@ namespace SphFluid.Laboratory
             if (look.Spray > 0)
             {
                 water.Spray.Prepare(new SprayBuffers(surface.Spray.Particles, surface.Spray.DrawArguments, look.Spray, spacing),
-                    look.SprayShutter, placement, water.Thickness);
+                    look, placement, water.Thickness);
             }
         }
 

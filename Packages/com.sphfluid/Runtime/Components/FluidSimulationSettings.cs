@@ -78,8 +78,9 @@ namespace SphFluid
         [SerializeField,
             Tooltip(
                 "How the liquid is brought to rest before the first frame. None: as its liquid says. Packed: without gravity, particles " +
-                "part that lie too near to each other or to walls. Hydrostatic: under gravity. Both take hundreds to thousands of steps at the start, without Start " +
-            "Jitter; method Standard only. Saved: at once, from Saved Start. A change starts the liquid again.")]
+                "part that lie too near to each other or to walls. Hydrostatic: under gravity. Both take hundreds to thousands of steps " +
+                "at the start, without Start Jitter; method Standard only. Saved: at once, from Saved Start. A change starts the liquid " +
+                "again.")]
         private FluidStartRelaxation startRelaxation;
 
         [SerializeField,

@@ -11,6 +11,11 @@ namespace SphFluid
         // Contrast that is left at the visibility: 2 % (Koschmieder 1924), so a coefficient of 3.912 / visibility.
         private const float VisibilityConstant = 3.912f;
 
+        // Spray shows as much of the liquid's colour as scattered light has of it after so long a way [m]; that of a body of it is what is
+        // left of white light after another.
+        private const float WayInSpray = 0.1f;
+        private const float WayInBody = 0.4f;
+
         // A channel that a metre of water swallows whole would have an infinite coefficient.
         private const float LeastTransmittance = 1e-3f;
 
@@ -121,7 +126,10 @@ namespace SphFluid
         /// <summary>How long the camera's shutter is open for spray [s], 0 to 0.02: drops are streaked by the way they go in it.</summary>
         public float SprayShutter { get => Limits.Clamp(sprayShutter, 0f, 0.02f); set => sprayShutter = value; }
 
-        /// <summary>Steps through the water, steps behind it, and whether walls mirror; Shaders/Rendering/WaterRefraction.hlsl.</summary>
+        /// <summary>
+        /// Steps through the water, steps behind it, whether walls mirror, and steps of what the surface mirrors;
+        /// Shaders/Rendering/WaterRefraction.hlsl.
+        /// </summary>
         internal Vector4 RefractionSteps
         {
             get
@@ -131,9 +139,9 @@ namespace SphFluid
                     case FluidWaterQuality.Fast:
                         return Vector4.zero;
                     case FluidWaterQuality.Balanced:
-                        return new Vector4(6f, 3f, 0f, 0f);
+                        return new Vector4(6f, 3f, 0f, 6f);
                     default:
-                        return new Vector4(12f, 6f, 1f, 0f);
+                        return new Vector4(12f, 6f, 1f, 12f);
                 }
             }
         }
@@ -158,6 +166,31 @@ namespace SphFluid
                 Vector4 scattered = ScatteringCoefficient;
                 Vector4 all = Extinction;
                 return new Vector4(Share(scattered.x, all.x), Share(scattered.y, all.y), Share(scattered.z, all.z), 0f);
+            }
+        }
+
+        /// <summary>
+        /// Colour of drops and mist in white light: between white, where drops are clear, and that of a body of the liquid, so that its hue
+        /// is the liquid's. Drops are lit all round: what they scatter forwards, which a body swallows, is seen as well.
+        /// </summary>
+        internal Vector4 SprayColor
+        {
+            get
+            {
+                Vector4 lost = Extinction;
+                Vector4 scattered = Albedo;
+                Vector4 body = Vector4.one;
+                float turned = 0f;
+                for (int c = 0; c < 3; c++)
+                {
+                    float left = Mathf.Exp(-lost[c] * WayInBody);
+                    float back = 0.5f * scattered[c] * (1f - left);
+                    body[c] = left + back;
+                    turned += back / 3f;
+                }
+                float share = 1f - Mathf.Exp(-(lost.x + lost.y + lost.z) / 3f * WayInSpray);
+                Vector4 color = Vector4.Lerp(Vector4.one, body / (1f - turned), share);
+                return color;
             }
         }
 

@@ -32,7 +32,7 @@ namespace SphFluid
             water.SetLook(surface, look, WaterCameras.LargestView, placement);
             if (ownMaterial == null) water.SetSurface(look);
             water.Draw(surface, ownMaterial, placement);
-            if (look.Spray > 0) water.DrawSpray(source.Spray, look.SprayShutter, placement);
+            if (look.Spray > 0) water.DrawSpray(source.Spray, look, placement);
         }
 
         /// <summary>

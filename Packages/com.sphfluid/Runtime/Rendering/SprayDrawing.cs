@@ -35,12 +35,12 @@ namespace SphFluid
 
         /// <summary>Draws this frame's spray for every camera, after the water.</summary>
         /// <param name="drawn">The spray.</param>
-        /// <param name="shutter">How long the shutter is open [s].</param>
+        /// <param name="look">Its colour, and how long the shutter is open.</param>
         /// <param name="where">Where it is.</param>
         /// <param name="thickness">Of the water.</param>
-        public void Draw(in SprayBuffers drawn, float shutter, in DrawPlacement where, ThicknessPass thickness)
+        public void Draw(in SprayBuffers drawn, FluidWaterLook look, in DrawPlacement where, ThicknessPass thickness)
         {
-            Prepare(drawn, shutter, where, thickness);
+            Prepare(drawn, look, where, thickness);
             RenderParams parameters = placement.Parameters(front, block);
             parameters.shadowCastingMode = ShadowCastingMode.Off;
             int times = EyeDraws.Begin();
@@ -51,14 +51,15 @@ namespace SphFluid
         }
 
         /// <summary>As <see cref="Draw"/>, for what is recorded afterwards.</summary>
-        public void Prepare(in SprayBuffers drawn, float shutter, in DrawPlacement where, ThicknessPass thickness)
+        public void Prepare(in SprayBuffers drawn, FluidWaterLook look, in DrawPlacement where, ThicknessPass thickness)
         {
             spray = drawn;
             placement = where;
             preparedAt = Time.frameCount;
             block.SetBuffer(RenderShaderIds.SprayParticles, spray.Particles);
             block.SetInteger(RenderShaderIds.DropsPerParticle, spray.DropsPerParticle);
-            block.SetFloat(RenderShaderIds.SprayShutter, shutter);
+            block.SetFloat(RenderShaderIds.SprayShutter, look.SprayShutter);
+            block.SetVector(RenderShaderIds.SprayColor, look.SprayColor);
             block.SetFloat(RenderShaderIds.SpraySpacing, spray.Spacing);
             block.SetMatrix(RenderShaderIds.FluidLocalToWorld, placement.LocalToWorld);
             thickness.Apply(block);

@@ -64,10 +64,10 @@ namespace SphFluid
 
         /// <summary>Draws this frame's spray.</summary>
         /// <param name="drawn">The spray.</param>
-        /// <param name="shutter">How long the camera's shutter is open [s].</param>
+        /// <param name="look">Of the water.</param>
         /// <param name="placement">Where it is.</param>
-        public void DrawSpray(in SprayBuffers drawn, float shutter, in DrawPlacement placement) =>
-            spray.Draw(drawn, shutter, placement, thickness);
+        public void DrawSpray(in SprayBuffers drawn, FluidWaterLook look, in DrawPlacement placement) =>
+            spray.Draw(drawn, look, placement, thickness);
 
         public override void Draw(in SurfaceBuffers surface, Material ownMaterial, in DrawPlacement placement)
         {

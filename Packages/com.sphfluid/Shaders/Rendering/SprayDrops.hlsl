@@ -12,10 +12,11 @@ float _FluidSceneHeight; // pixels of the height of the picture of the scene, wh
 uint _DropsPerParticle;
 float _SprayShutter;  // how long the shutter is open [s]
 float _SpraySpacing;  // dx [m]
+float4 _SprayColor;   // rgb: in white light
 
-#define SPRAY_ALBEDO float3(0.84, 0.91, 0.97) // white, a little cool
 #define MIST_COVER 0.04
 #define DROP_COVER 0.95
+#define AGAINST_THE_LIGHT 0.5
 #define TRAIL 0.012 // the drops of a particle leave its place within so long [s]
 #define LEAST_RADIUS 0.9 // pixels; smaller drops cover less instead
 
@@ -24,7 +25,8 @@ struct DropFragment
     float4 clipPosition : SV_Position;
     float3 across : TEXCOORD0; // xy: from the middle, in radii; z: half the length of the streak, in radii
     float3 world : TEXCOORD1;
-    nointerpolation float4 colour : TEXCOORD2; // premultiplied
+    float4 colour : TEXCOORD2; // premultiplied
+    nointerpolation float softness : TEXCOORD3; // of mist: how far before a surface it begins to fade [m]; of drops 0
     EYE_FIELD
 };
 
@@ -66,6 +68,15 @@ float2 DropCorner(uint index)
     return float2(x, y);
 }
 
+// Drops let light through: the side to the sun is the brighter one, and against it they shine.
+float3 DropLight(float3 normal, float3 view, float sun)
+{
+    float3 light = _FluidLightDirection.xyz;
+    float against = saturate(-dot(view, light));
+    against *= against;
+    return FluidLampColour() * (sun * (0.5 + 0.5 * dot(normal, light) + AGAINST_THE_LIGHT * against * against)) + FluidAmbient(normal);
+}
+
 DropFragment ExpandDropFor(uint vertexId, float height)
 {
     uint drop = vertexId / 6u;
@@ -102,8 +113,13 @@ DropFragment ExpandDropFor(uint vertexId, float height)
     output.world = world + right * offset.x + up * offset.y;
     output.across = float3(corner, halfLength / drawn);
     output.clipPosition = FluidClipPosition(output.world);
+    output.softness = isMist ? drawn : 0.0;
+    float3 view = WaterView(world);
+    float2 side = DropCorner(vertexId % 6u);
+    side = along * side.x + float2(-along.y, along.x) * side.y;
     float sun = ReceivedSun(world, 0.0, SURFACE_LIFT, _FluidReceived.z);
-    output.colour = float4(FluidExposed(FluidDiffuse(SPRAY_ALBEDO, float3(0.0, 1.0, 0.0), sun)) * cover, cover);
+    float3 light = DropLight(normalize(view + right * side.x + up * side.y), view, sun);
+    output.colour = float4(FluidExposed(_SprayColor.rgb * light) * cover, cover);
     return output;
 }
 
@@ -119,19 +135,26 @@ DropFragment ExpandDropBehindWater(uint vertexId : SV_VertexID EYE_PARAMETER)
     return ExpandDropFor(vertexId, _FluidSceneHeight);
 }
 
-// A capsule, densest along its middle.
-float4 ShadeDrop(DropFragment input)
+// A capsule, densest along its middle. gap: to the surface behind or before it, metres along the camera's axis.
+float4 ShadeDrop(DropFragment input, float gap)
 {
     float2 beyond = float2(max(abs(input.across.x) - input.across.z, 0.0), input.across.y);
     float rest = saturate(1.0 - dot(beyond, beyond));
-    return input.colour * (rest * rest);
+    float soft = input.softness > 0.0 ? saturate(gap / input.softness) : 1.0;
+    return input.colour * (rest * rest * soft);
 }
 
 float4 ShadeDropBeforeWater(DropFragment input) : SV_Target
 {
     EYE_OF(input)
-    clip(IsBeyondSurfaceFromWithin(WaterScreen(input.world), WaterEyeDepth(input.world)) ? -1.0 : 1.0);
-    return ShadeDrop(input);
+    float2 screen = WaterScreen(input.world);
+    float depth = WaterEyeDepth(input.world);
+    clip(IsBeyondSurfaceFromWithin(screen, depth) ? -1.0 : 1.0);
+    float gap = 0.0;
+    [branch]
+    if (input.softness > 0.0)
+        gap = SceneEyeDepth(screen) - depth;
+    return ShadeDrop(input, gap);
 }
 
 // Into the picture of the scene that the water refracts, tested here as it has no depth of its own size: nothing behind the scene, nothing
@@ -141,8 +164,9 @@ float4 ShadeDropBehindWater(DropFragment input) : SV_Target
     EYE_OF(input)
     float2 screen = WaterScreen(input.world);
     float depth = WaterEyeDepth(input.world);
-    clip(min(SceneEyeDepth(screen) - depth, depth - FirstLayerEnd(screen)));
-    return ShadeDrop(input);
+    float gap = min(SceneEyeDepth(screen) - depth, depth - FirstLayerEnd(screen));
+    clip(gap);
+    return ShadeDrop(input, gap);
 }
 
 #endif

@@ -6,7 +6,6 @@
 #include "WaterShading.hlsl"
 
 #define WATER_TO_AIR 1.33333333 // ratio of the refractive indices
-#define SCREEN_MARGIN 0.1       // share of the picture over which what lies beside it comes from the reflection map
 
 // sun: share of the main light that reaches the water in sight.
 float3 WaterBody(float metres, float sun)
@@ -23,7 +22,7 @@ float2 Unfolded(float2 screen)
 // What a line in the water shows at its end, dimmed on its way there.
 float3 SeenAlong(WaterRay ray, float longest, float sun)
 {
-    MarchEnd end = March(ray, longest, 0.0, (uint)max(_FluidRefractionSteps.x, 4.0));
+    MarchEnd end = March(ray, longest, (uint)max(_FluidRefractionSteps.x, 4.0));
     float3 scene = SceneColour(Unfolded(RayScreen(ray, end.metres)));
     return scene * exp(-_FluidExtinction.rgb * end.metres) + FluidExposed(WaterBody(end.metres, sun));
 }
@@ -32,11 +31,9 @@ float3 SeenAlong(WaterRay ray, float longest, float sun)
 float3 SeenOutside(WaterRay ray)
 {
     float3 sky = FluidExposed(WaterMirror(ray.direction));
-    float scale = 0.5 * ray.front / max(abs(ray.depthStep), 0.05);
-    MarchEnd end = March(ray, scale, 1.0, (uint)max(_FluidRefractionSteps.y, 3.0));
+    MarchEnd end = March(ray, FAR_BEHIND * ray.front / max(abs(ray.depthStep), 0.05), (uint)max(_FluidRefractionSteps.y, 3.0));
     float2 screen = RayScreen(ray, end.metres);
-    float2 inside = min(screen, 1.0 - screen) / SCREEN_MARGIN;
-    float share = saturate(min(inside.x, inside.y)) * (ray.depthStep > 0.0 ? 1.0 : 0.0);
+    float share = PictureShare(screen) * (ray.depthStep > 0.0 ? 1.0 : 0.0);
     return lerp(sky, SceneColour(saturate(screen)), share);
 }
 

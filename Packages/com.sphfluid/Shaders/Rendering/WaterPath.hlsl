@@ -81,6 +81,24 @@ float NearestSceneDepth(float2 screen)
     return depth;
 }
 
+// Of the plane through these four texels: what a depth texture holds of a plane is linear on the screen. The place between them is asked
+// for, as devices round near a texel's middle.
+float SmoothSceneDepth(float2 screen)
+{
+    float depth = NOTHING_BEHIND;
+    if (_FluidScene.y > 0.5)
+    {
+        float2 size = 1.0;
+        EYE_TEXTURE_SIZE(_CameraDepthTexture, size)
+        float2 first = floor(screen * size - 0.5);
+        float2 within = screen * size - 0.5 - first;
+        float4 raw = _CameraDepthTexture.GatherRed(sampler_PointClamp, EyePlace((first + 1.0) / size));
+        float2 rows = lerp(raw.wx, raw.zy, within.x);
+        depth = EyeDepthOf(lerp(rows.x, rows.y, within.y));
+    }
+    return depth;
+}
+
 // Where the line of sight enters and leaves the domain, metres along the camera's axis.
 float2 DomainSpan(float3 world, float3 view, float alongAxis)
 {
@@ -120,6 +138,14 @@ float FirstLayerEndOf(float4 thickness)
 float FirstLayerEnd(float2 screen)
 {
     return FirstLayerEndOf(ThicknessAt(sampler_PointClamp, screen));
+}
+
+// Between texels, where they hold one face.
+float SmoothFirstLayerEnd(float2 screen)
+{
+    float end = FirstLayerEnd(screen);
+    float between = FirstLayerEndOf(ThicknessAt(sampler_LinearClamp, screen));
+    return abs(between - end) < _MCCellSize.x ? between : end;
 }
 
 // Where the nearest layer begins and ends, metres along the camera's axis. Before further layers it begins at or behind the place that is

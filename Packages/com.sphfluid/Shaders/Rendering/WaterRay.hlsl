@@ -4,8 +4,10 @@
 
 #include "WaterPath.hlsl"
 
-#define MARCH_HALVINGS 4
-#define EDGE_PIXELS 2.0
+#define MARCH_HALVINGS 6
+#define STEP_PIXELS 4.0   // the shortest step on the screen
+#define EDGE_PIXELS 2.0   // beside an edge that have a share of what stands before it
+#define PICTURE_MARGIN 0.1 // share of the picture over which it yields to what lies beside it
 #define DEPTH_DOUBT 6e-3 // of the depth
 
 struct WaterRay
@@ -41,12 +43,51 @@ float2 RayScreen(WaterRay ray, float metres)
     return clipPosition.xy / clipPosition.w * float2(0.5, 0.5 * _ProjectionParams.x) + 0.5;
 }
 
+float RayDepth(WaterRay ray, float metres)
+{
+    return ray.front + ray.depthStep * metres;
+}
+
 // How far the scene lies behind a point of the line, metres along the camera's axis; negative: in front, by more than pixels and their
 // depths are off: what stands at a wall, such as a tank's frame, is not in front of it.
 float GapBehind(WaterRay ray, float metres)
 {
-    float depth = ray.front + ray.depthStep * metres;
+    float depth = RayDepth(ray, metres);
     return NearestSceneDepth(RayScreen(ray, metres)) + DEPTH_DOUBT * depth - depth;
+}
+
+// A gap that is linear on the screen where the scene is a plane, and as large as it is in metres near the line's start.
+float ScreenGap(WaterRay ray, float metres, float scene)
+{
+    float depth = max(RayDepth(ray, metres), 1e-3);
+    return unity_OrthoParams.w > 0.5 ? scene - depth : ray.front * ray.front * (1.0 / depth - 1.0 / scene);
+}
+
+// With the doubt of GapBehind.
+float MarchGap(WaterRay ray, float metres)
+{
+    return ScreenGap(ray, metres, NearestSceneDepth(RayScreen(ray, metres)) + DEPTH_DOUBT * RayDepth(ray, metres));
+}
+
+float PlaneGap(WaterRay ray, float metres)
+{
+    return ScreenGap(ray, metres, SmoothSceneDepth(RayScreen(ray, metres)));
+}
+
+// How far a line stays in the picture, at most "longest".
+float RayInPicture(WaterRay ray, float longest)
+{
+    float4 within = ray.clipStart.w + float4(-ray.clipStart.xy, ray.clipStart.xy);
+    float4 rates = float4(ray.clipStep.xy, -ray.clipStep.xy) - ray.clipStep.w;
+    float4 exits = rates > 1e-6 ? max(within, 0.0) / max(rates, 1e-6) : (float4)longest;
+    return min(min(min(exits.x, exits.y), min(exits.z, exits.w)), longest);
+}
+
+// 1 well within the picture, 0 at its border and beyond.
+float PictureShare(float2 screen)
+{
+    float2 within = min(screen, 1.0 - screen) / PICTURE_MARGIN;
+    return saturate(min(within.x, within.y));
 }
 
 struct MarchEnd
@@ -56,21 +97,26 @@ struct MarchEnd
     bool isWhole; // whether it was followed to its end
 };
 
-// Share of a line to metres. curve 0: even steps over "longest"; 1: even steps on the screen for a line to infinity, half of which is
-// "longest".
-float MarchMetres(float share, float longest, float curve)
+// Share of a line's picture to metres. nearer: depth of its start to that of its end; 1 where all is as large. Worked example: of a line
+// from 1 m to 3 m before the camera the middle of its picture is a quarter of its length.
+float MarchMetres(float share, float longest, float nearer)
 {
-    return longest * share / (1.0 - 0.99 * curve * share);
+    return longest * share * nearer / (1.0 - share + share * nearer);
 }
 
-// Follows a line until the scene lies in front of it. Where the doubt between the last point before and the first behind shrinks as it is
-// halved, they belong to one thing, which is met between them. Where it does not, the line passes behind a thing's edge, and goes on where
-// it is seen again, past a thing that is thin; where it is not, it ends at the last point that is seen. Worked example: gaps of 0.3 m and
-// -0.1 m belong to a slope if four halvings leave a fall of 0.025 m, to an edge if they leave 0.37 m.
-MarchEnd March(WaterRay ray, float longest, float curve, uint steps)
+// Follows a line, in steps that are even on the screen, until the scene lies in front of it. Where the doubt between the last point before
+// and the first behind shrinks as it is halved, they belong to one thing, which is met where its plane is. Where it does not, the line
+// passes behind a thing's edge, and goes on where it is seen again, past a thing that is thin; where it is not, it ends at the last point
+// that is seen. Worked example: gaps of 0.3 m and -0.1 m belong to a slope if four halvings leave a fall of 0.025 m, to an edge if they
+// leave 0.37 m.
+MarchEnd March(WaterRay ray, float longest, uint most)
 {
+    float last = max(RayDepth(ray, longest), 0.01 * ray.front);
+    float nearer = unity_OrthoParams.w > 0.5 ? 1.0 : clamp(ray.front / last, 1e-3, 100.0);
+    float pixels = length((RayScreen(ray, longest) - RayScreen(ray, 0.0)) * _FluidThicknessView.xy);
+    uint steps = (uint)clamp(ceil(pixels / STEP_PIXELS), 1.0, (float)most);
     float seen = 0.0;
-    float gapSeen = max(GapBehind(ray, 0.0), 0.0);
+    float gapSeen = max(MarchGap(ray, 0.0), 0.0);
     bool isHidden = false;
     MarchEnd end;
     end.isMet = false;
@@ -78,7 +124,7 @@ MarchEnd March(WaterRay ray, float longest, float curve, uint steps)
     for (uint i = 1; i <= steps && !end.isMet; i++)
     {
         float behind = (float)i / (float)steps;
-        float gapBehind = GapBehind(ray, MarchMetres(behind, longest, curve));
+        float gapBehind = MarchGap(ray, MarchMetres(behind, longest, nearer));
         if (gapBehind >= 0.0)
         {
             seen = behind;
@@ -88,11 +134,12 @@ MarchEnd March(WaterRay ray, float longest, float curve, uint steps)
         else if (!isHidden)
         {
             float fall = gapSeen - gapBehind;
+            float step = behind - seen;
             [loop]
-            for (uint j = 0; j < MARCH_HALVINGS; j++)
+            for (uint j = 0; j < MARCH_HALVINGS && (behind - seen) * pixels > 1.0; j++)
             {
                 float middle = 0.5 * (seen + behind);
-                float gap = GapBehind(ray, MarchMetres(middle, longest, curve));
+                float gap = MarchGap(ray, MarchMetres(middle, longest, nearer));
                 if (gap < 0.0)
                 {
                     behind = middle;
@@ -105,21 +152,21 @@ MarchEnd March(WaterRay ray, float longest, float curve, uint steps)
                 }
             }
             float left = gapSeen - gapBehind;
-            end.isMet = left < 0.4 * fall || left < 2e-3 * ray.front;
+            end.isMet = left < lerp((behind - seen) / step, 1.0, 0.35) * fall || left < 2e-3 * ray.front;
             isHidden = !end.isMet;
-            float doubt = DEPTH_DOUBT * (ray.front + ray.depthStep * MarchMetres(seen, longest, curve));
-            float met = lerp(seen, behind, clamp((gapSeen - doubt) / max(left, 1e-6), -8.0, 1.0));
-            seen = end.isMet ? max(met, 0.0) : seen;
+            if (end.isMet)
+            {
+                float before = PlaneGap(ray, MarchMetres(seen, longest, nearer));
+                float after = PlaneGap(ray, MarchMetres(behind, longest, nearer));
+                float met = before / max(before - after, 1e-6);
+                seen = max(lerp(seen, behind, clamp(met, -8.0, 4.0)), 0.0);
+            }
         }
     }
     end.isWhole = !end.isMet && !isHidden;
-    end.metres = MarchMetres(seen, longest, curve);
     if (isHidden)
-    {
-        // Pixels beside an edge have a share of what stands before it.
-        float2 ahead = (RayScreen(ray, end.metres + 0.01 * longest) - RayScreen(ray, end.metres)) * _FluidThicknessView.xy;
-        end.metres = max(end.metres - 0.01 * longest * EDGE_PIXELS / max(length(ahead), 1e-3), 0.0);
-    }
+        seen = max(seen - EDGE_PIXELS / max(pixels, 1e-3), 0.0);
+    end.metres = MarchMetres(min(seen, 1.0), longest, nearer);
     return end;
 }
 

@@ -4,11 +4,13 @@
 #define SPHFLUID_WATER_REFRACTION_INCLUDED
 
 #include "WaterRay.hlsl"
+#include "ReceivedShadow.hlsl"
 
 float _Refraction;           // 1: as much as in nature
-float4 _FluidRefractionSteps; // x: steps through the water, 0: none; y: steps behind it; z: 1 if walls mirror
+float4 _FluidRefractionSteps; // most steps, 0: none. x: through the water; y: behind it; w: of what is mirrored; z: 1 if walls mirror
 
 #define AIR_TO_WATER 0.75 // ratio of the refractive indices, 1 / 1.33
+#define FAR_BEHIND 50.0    // times as far as the camera
 #define WALL_CONTACT 0.03 // metres; a scene so near behind a wall is the wall, which mirrors nothing
 
 struct SeenThrough
@@ -41,13 +43,22 @@ DomainExit LeaveDomain(float3 world, float3 direction)
     return exit;
 }
 
-// Whether a point of a line lies in the nearest layer as lines of sight have it; a little beside it counts as well.
-bool IsInLayer(WaterRay ray, float metres)
+// Whether a point lies in the nearest layer as lines of sight have it; a little beside it counts as well.
+bool IsInLayer(float2 screen, float depth)
 {
-    float2 screen = RayScreen(ray, metres);
-    float depth = ray.front + ray.depthStep * metres;
     float2 span = FirstLayerSpan(screen) + float2(-0.5, 0.5) * _MCCellSize.x;
     return all(screen == saturate(screen)) && depth > span.x && depth < span.y;
+}
+
+bool IsInLayer(WaterRay ray, float metres)
+{
+    return IsInLayer(RayScreen(ray, metres), RayDepth(ray, metres));
+}
+
+// How far the nearest layer goes on behind a point of a line, metres along the camera's axis.
+float LayerLeft(WaterRay ray, float metres)
+{
+    return SmoothFirstLayerEnd(RayScreen(ray, metres)) - RayDepth(ray, metres);
 }
 
 // How far a line runs in the nearest layer, whose faces are known along lines of sight: ever longer steps go on while they stay in it, the
@@ -80,8 +91,11 @@ float LayerLength(WaterRay ray, float straight, float toWall)
         else
             beyond = middle;
     }
-    float layer = FirstLayer(RayScreen(ray, within), ray.front);
-    float ended = min(layer < NOTHING_BEHIND ? layer / max(ray.depthStep, 1e-3) : straight, beyond);
+    float before = LayerLeft(ray, within);
+    float after = LayerLeft(ray, beyond);
+    float ended = after < min(before, 0.0) ? lerp(within, beyond, clamp(before / (before - after), -8.0, 1.0))
+        : min(within + before / max(ray.depthStep, 1e-3), beyond);
+    ended = FirstLayerEnd(RayScreen(ray, within)) < 0.0 ? straight : max(ended, 0.0);
     bool isOpen = FirstLayerEnd(RayScreen(ray, 0.0)) < 0.0;
     return tries == 0u || isOpen ? min(straight, toWall) : reachesWall ? toWall : ended;
 }
@@ -93,18 +107,20 @@ float2 SeenBehindLayer(WaterRay ray, float metres, float3 view, float2 screen)
     float2 place = onward.front > _ProjectionParams.y ? RayScreen(onward, 0.0) : screen;
     if (_FluidRefractionSteps.y > 0.5)
     {
-        MarchEnd end = March(onward, 0.5 * onward.front / max(onward.depthStep, 1e-3), 1.0, (uint)_FluidRefractionSteps.y);
+        MarchEnd end = March(onward, FAR_BEHIND * onward.front / max(onward.depthStep, 1e-3), (uint)_FluidRefractionSteps.y);
         place = end.isWhole ? screen : RayScreen(onward, end.metres);
     }
     return place;
 }
 
-// A pane at the side of a tank mirrors what meets it at less than the critical angle: sin of the angle to the normal above 0.75.
+// A pane at the side of a tank mirrors what meets it at less than the critical angle: sin of the angle to the normal above 0.75. On a film,
+// up to two spacings thick, the particles' bumps would show all that stands round the tank in pieces.
 bool IsMirroredByWall(WaterRay ray, float longest, DomainExit exit)
 {
     float across = dot(ray.direction, exit.normal);
     bool reaches = exit.metres - longest < 2.0 * _MCCellSize.x;
-    return reaches && _FluidRefractionSteps.z > 0.5 && 1.0 - across * across > AIR_TO_WATER * AIR_TO_WATER &&
+    float3 inwards = RayPoint(ray, longest) - exit.normal * (2.0 * _FluidReceived.y + _MCCellSize.x);
+    return reaches && IsInLayer(WaterScreen(inwards), WaterEyeDepth(inwards)) && _FluidRefractionSteps.z > 0.5 && 1.0 - across * across > AIR_TO_WATER * AIR_TO_WATER &&
         GapBehind(ray, longest) > WALL_CONTACT;
 }
 
@@ -123,7 +139,7 @@ SeenThrough SeeThrough(float3 world, float3 view, float3 normal, float alongAxis
     MarchEnd end;
     if (_FluidRefractionSteps.x > 0.5)
     {
-        end = March(ray, longest, 0.0, (uint)_FluidRefractionSteps.x);
+        end = March(ray, longest, (uint)_FluidRefractionSteps.x);
     }
     else
     {
@@ -139,7 +155,7 @@ SeenThrough SeeThrough(float3 world, float3 view, float3 normal, float alongAxis
         {
             WaterRay mirrored = StartRay(RayPoint(ray, longest), reflect(bent, exit.normal));
             float reach = LeaveDomain(mirrored.start, mirrored.direction).metres;
-            MarchEnd second = March(mirrored, reach, 0.0, (uint)_FluidRefractionSteps.x);
+            MarchEnd second = March(mirrored, reach, (uint)_FluidRefractionSteps.x);
             seen.screen = RayScreen(mirrored, second.metres);
             seen.path = longest + min(second.metres, LayerLength(mirrored, 0.0, reach));
         }

@@ -4,7 +4,6 @@
 
 #include "SurfaceDrawing.hlsl"
 #include "WaterRefraction.hlsl"
-#include "ReceivedShadow.hlsl"
 
 EYE_TEXTURE<float4> _FluidSceneColour;    // Built-in: a copy of the camera's picture before transparent things
 EYE_TEXTURE<float4> _CameraOpaqueTexture; // URP
@@ -18,6 +17,8 @@ float _Smoothness;
 float _ShadowStrength; // light that the shadow takes away, 0 to 1
 
 #define COARSEST_LEVEL 16.0 // beyond the last of any map, which stands for it
+
+#define LEAST_MIRRORED 0.03 // Fresnel's share, below which the scene is not looked for
 
 #define SAME_DEPTH 0.02 // of the depth; within it things count as one
 
@@ -98,6 +99,26 @@ float3 WaterMirror(float3 direction)
     return colour;
 }
 
+// What a point of the surface mirrors: the scene as far as the picture shows it, and beside it what is told above. share: of it that counts.
+float3 WaterSurroundings(float3 world, float3 direction, float share)
+{
+    float3 colour = FluidExposed(WaterMirror(direction));
+    [branch]
+    if (_FluidRefractionSteps.w > 0.5 && _FluidScene.x != WATER_SCENE_NONE && share > LEAST_MIRRORED)
+    {
+        WaterRay ray = StartRay(world, direction);
+        float metres = ray.depthStep > 0.0 ? 0.9 * _ProjectionParams.z - ray.front : 0.9 * ray.front;
+        float longest = RayInPicture(ray, max(metres, 0.0) / max(abs(ray.depthStep), 1e-3));
+        MarchEnd end = March(ray, longest, (uint)_FluidRefractionSteps.w);
+        float2 screen = RayScreen(ray, end.metres);
+        float seen = end.isMet ? PictureShare(screen) : 0.0;
+        [branch]
+        if (seen > 0.0)
+            colour = lerp(colour, SceneColour(screen), seen);
+    }
+    return colour;
+}
+
 // Variance of the normal over a pixel.
 float NormalVariance(float3 normal)
 {
@@ -132,8 +153,8 @@ float4 ShadeWater(SurfaceFragment input) : SV_Target
     float3 body = WaterLayer(transmitted, normal, sun);
     float mirrored = FluidFresnel(normal, view, _FluidEmission.w);
     float3 highlight = FluidHighlight(_Smoothness, normal, view, NormalVariance(normal), _FluidEmission.w) * sun;
-    float3 surface = WaterMirror(reflect(-view, normal)) * mirrored + highlight;
-    float3 colour = FluidExposed(body * (1.0 - mirrored) + surface);
+    float3 surface = WaterSurroundings(input.world, reflect(-view, normal), mirrored) * mirrored;
+    float3 colour = FluidExposed(body * (1.0 - mirrored) + highlight) + surface;
     float cover = 1.0;
     if (_FluidScene.x == WATER_SCENE_NONE)
         cover = 1.0 - (1.0 - mirrored) * dot(transmitted, 1.0 / 3.0);

@@ -68,6 +68,57 @@ namespace SphFluid.Tests
             Assert.That(thick / thin, Is.EqualTo(Mathf.Pow(red, 0.1f)).Within(0.06f));
         }
 
+        // A layer of particles on the pane at the right, away from its edges.
+        [UnityTest]
+        public IEnumerator AFilmIsNoDarkerAtFineThanAtBalanced([Values(BuiltInPipeline, UniversalPipeline)] bool universal)
+        {
+            const float thickness = SimulationRig.Spacing;
+            Replace(new Bounds(new Vector3(0.4f - 0.5f * thickness, 0f, 0f), new Vector3(thickness, 0.4f, 0.8f)));
+            foreach (GameObject block in new[] { Scene.Floor, Scene.Behind, Scene.Beside }) block.SetActive(false);
+            Scene.Camera.clearFlags = CameraClearFlags.SolidColor;
+            Scene.Camera.backgroundColor = Color.white;
+            Scene.Water.Water.Quality = FluidWaterQuality.Balanced;
+            yield return Draw(universal);
+            Picture balanced = universal ? Universal : BuiltIn;
+            Scene.Water.Water.Quality = FluidWaterQuality.Fine;
+            yield return Draw(universal);
+            Picture fine = universal ? Universal : BuiltIn;
+            Vector2 low = Scene.Camera.WorldToViewportPoint(new Vector3(0.4f, -0.12f, -0.3f));
+            Vector2 high = Scene.Camera.WorldToViewportPoint(new Vector3(0.4f, 0.12f, 0.25f));
+            int film = 0;
+            for (int y = (int)(low.y * fine.Height); y < (int)(high.y * fine.Height); y++)
+            {
+                for (int x = (int)(high.x * fine.Width); x < (int)(low.x * fine.Width); x++)
+                {
+                    if (balanced.Luma(x, y) > 0.995) continue;
+                    film++;
+                    Assert.That(fine.Luma(x, y), Is.GreaterThan(0.95 * balanced.Luma(x, y)), $"pixel {x}, {y}");
+                }
+            }
+            Assert.That(film, Is.GreaterThan(100), "pixels of the film");
+        }
+
+        // The red block behind a pool stands in its mirror, below the sky's.
+        [UnityTest]
+        public IEnumerator TheBlockBehindIsMirroredInTheWater([Values(BuiltInPipeline, UniversalPipeline)] bool universal)
+        {
+            Replace(new Bounds(new Vector3(0f, -0.1f, -0.1f), new Vector3(0.8f, 0.2f, 0.6f)));
+            Scene.Behind.transform.position = new Vector3(0f, 0.05f, 0.3f);
+            Scene.Behind.transform.localScale = new Vector3(0.3f, 0.25f, 0.1f);
+            Scene.Camera.transform.position = new Vector3(0f, 0.12f, -1.1f);
+            Scene.Camera.transform.LookAt(new Vector3(0f, 0f, 0f));
+            Scene.Water.Water.Quality = FluidWaterQuality.Fast;
+            var shown = new Vector3(0f, 0f, 0.12f);
+            yield return Draw(universal);
+            Color sky = At(universal, shown).linear;
+            Scene.Water.Water.Quality = FluidWaterQuality.Fine;
+            yield return Draw(universal);
+            Color mirrored = At(universal, shown).linear;
+            Assert.That(mirrored.r - mirrored.b, Is.GreaterThan(sky.r - sky.b + 0.1f));
+            Color beside = At(universal, new Vector3(-0.3f, 0f, 0.12f)).linear;
+            Assert.That(beside.b, Is.GreaterThan(beside.r), "the sky");
+        }
+
         [UnityTest]
         public IEnumerator SprayIsSeenThroughTheWater()
         {

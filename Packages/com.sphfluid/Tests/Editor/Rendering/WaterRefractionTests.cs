@@ -1,3 +1,4 @@
+using System;
 using NUnit.Framework;
 using UnityEngine;
 
@@ -56,7 +57,7 @@ namespace SphFluid.Tests
                 block.SetVector("_FluidScene", new SceneTextures(SceneColourSource.OpaqueTexture, true).ToVector());
                 block.SetTexture("_CameraOpaqueTexture", coarse);
             });
-            Object.DestroyImmediate(coarse);
+            UnityEngine.Object.DestroyImmediate(coarse);
             Color pixel = seen[Size / 2 * Size + Size / 2 + fromMiddle];
             Assert.AreEqual(green, pixel.g / Passing, 0.01f);
             Assert.AreEqual(1f - green, pixel.r / Passing, 0.01f);
@@ -155,37 +156,116 @@ namespace SphFluid.Tests
             Assert.AreEqual(0.5f - 0.25f / (2f * WaterRig.HalfWidth), seen.r / Passing, 0.012f);
         }
 
-        // A film of 5 mm on a pane of a tank full of air, whose bumps let light graze the pane: what the pane mirrors has gone through the
-        // film twice, not through the tank.
+        // Films on a pane of a tank full of air, whose bumps let light graze the pane: what goes through the tank's air is no water.
         [Test]
-        public void AFilmOnAPaneIsClear([Values] FluidWaterQuality quality, [Values(0.2f, 0.35f, 0.5f, 0.8f)] float bump)
+        public void AFilmOnAPaneIsAsClearAtFineAsAtBalanced([Values(0.005f, 0.02f, 0.035f, 0.05f)] float thickness,
+            [Values(0.2f, 0.35f, 0.5f, 0.8f)] float bump)
         {
-            rig.Look.Quality = quality;
             rig.Look.Visibility = 8f;
-            rig.Look.ColorAtOneMetre = new Color(0.3f, 0.6f, 0.8f);
+            rig.Look.ColorAtOneMetre = new Color(0.1f, 0.52f, 0.83f);
             rig.ReplaceScene((x, y) => Color.white);
             rig.Domain = new Bounds(Vector3.zero, Vector3.one);
             rig.Eye = new Vector3(-1f, 0f, -2f);
             rig.Surface = new UploadedSurface()
-                .Quad(new Vector3(0.495f, 0f, 0f), Vector3.up * 0.5f, Vector3.back * 0.5f,
+                .Quad(new Vector3(0.5f - thickness, 0f, 0f), Vector3.up * 0.5f, Vector3.back * 0.5f,
                     new Vector3(-Mathf.Cos(bump), 0f, -Mathf.Sin(bump)))
                 .Quad(new Vector3(0.5f, 0f, 0f), Vector3.back * 0.5f, Vector3.up * 0.5f, Vector3.right);
-            Color[] clear = rig.Render(block => block.SetVector("_FluidExtinction", Vector4.zero));
-            Color[] film = rig.Render();
+            rig.Look.Quality = FluidWaterQuality.Balanced;
+            Color[] balanced = rig.Render();
+            rig.Look.Quality = FluidWaterQuality.Fine;
+            Color[] fine = rig.Render();
             int seen = 0;
-            for (int i = 0; i < film.Length; i++)
+            for (int i = 0; i < fine.Length; i++)
             {
-                if (clear[i].a < 0.5f || clear[i].r < 0.1f) continue;
+                if (balanced[i].a < 0.5f || balanced[i].grayscale < 0.1f) continue;
                 seen++;
-                Assert.Greater(film[i].r, 0.9f * clear[i].r, $"pixel {i % Size}, {i / Size}");
+                Assert.Greater(fine[i].grayscale, 0.95f * balanced[i].grayscale, $"pixel {i % Size}, {i / Size}");
             }
             Assert.Greater(seen, 200, "pixels of the film");
         }
+
+        // A pool 0.15 m deep, seen from 14 degrees above. Its floor, or a floor 0.25 m below its bottom, is red on one side of a line.
+        [Test]
+        public void AtAGrazingViewAStraightEdgeHasNoSteps([Values(FluidWaterQuality.Balanced, FluidWaterQuality.Fine)] FluidWaterQuality quality,
+            [Values(-0.15f, -0.4f)] float floor, [Values] bool perspective)
+        {
+            const float deep = 0.15f;
+            rig.Look.Quality = quality;
+            rig.Perspective = perspective;
+            rig.Eye = new Vector3(0f, 0.5f, -2f);
+            rig.Domain = new Bounds(new Vector3(0f, 0f, 0.3f), new Vector3(5f, 2f, 5f));
+            rig.Surface = new UploadedSurface().Box(new Vector3(0f, -0.5f * deep, 0.3f), new Vector3(4.9f, deep, 4.9f));
+            rig.SetDepth((x, y) => Depth(Floor(x, y)));
+            rig.ReplaceScene((x, y) => Color.Lerp(Color.green, Color.red, RedShare(x, y)));
+            Color[] seen = rig.Render();
+            int rows = 0;
+            for (int y = 0; y < Size; y++)
+            {
+                float expected = Crossing(x => Beyond(Refracted(x, y)));
+                float place = Crossing(x => seen[y * Size + x].g / (seen[y * Size + x].r + seen[y * Size + x].g) - 0.5f);
+                if (float.IsNaN(expected) || !IsSeen(Refracted(expected, y)) || expected < 2f || expected > Size - 3f) continue;
+                rows++;
+                TestContext.WriteLine($"row {y} {expected} {place} {place - expected}");
+                Assert.AreEqual(expected, place, 1f, $"row {y}");
+            }
+            Assert.Greater(rows, Size / 3, "rows in which the edge is seen");
+
+            Vector3 Floor(float x, float y) => Down(Start(x, y), Sight(x, y), floor);
+
+            // How far a point of the floor lies on the green side.
+            float Beyond(Vector3 point) => point.x - 0.25f * point.z - (perspective ? -0.05f : 0f);
+
+            float RedShare(int x, int y)
+            {
+                int red = 0;
+                for (int i = 0; i < 64; i++) red += Beyond(Floor(x + (i % 8 + 0.5f) / 8f - 0.5f, y + (i / 8 + 0.5f) / 8f - 0.5f)) < 0f ? 1 : 0;
+                return red / 64f;
+            }
+
+            Vector3 Refracted(float x, float y)
+            {
+                Vector3 sight = Sight(x, y), level = new Vector3(sight.x, 0f, sight.z) * 0.75f;
+                Vector3 bent = level + Vector3.down * Mathf.Sqrt(1f - level.sqrMagnitude);
+                Vector3 bottom = Down(Down(Start(x, y), sight, 0f), bent, -deep);
+                return Down(bottom, sight, floor);
+            }
+
+            bool IsSeen(Vector3 point)
+            {
+                Vector3 local = SurfaceTestScene.LookAtOrigin(rig.Eye).MultiplyPoint(point);
+                return Mathf.Abs(local.y) < 0.95f * (perspective ? WaterRig.HalfAngle * -local.z : WaterRig.HalfWidth);
+            }
+
+            float Depth(Vector3 point) => -SurfaceTestScene.LookAtOrigin(rig.Eye).MultiplyPoint(point).z;
+        }
+
+        private static Vector3 Down(Vector3 from, Vector3 direction, float height) =>
+            from + direction * ((height - from.y) / direction.y);
+
+        // The first column in which a function turns from negative to positive, between pixels.
+        private static float Crossing(Func<int, float> at)
+        {
+            for (int x = 1; x < Size; x++)
+            {
+                float before = at(x - 1), after = at(x);
+                if (before < 0f && after >= 0f) return x - after / (after - before);
+            }
+            return float.NaN;
+        }
+
+        private Vector3 Start(float x, float y) => rig.Perspective ? rig.Eye : rig.Eye + Aside(x, y) * WaterRig.HalfWidth;
+
+        private Vector3 Sight(float x, float y) =>
+            rig.Perspective ? (-rig.Eye.normalized + Aside(x, y) * WaterRig.HalfAngle).normalized : -rig.Eye.normalized;
+
+        // From the middle of the picture, in halves of its width.
+        private Vector3 Aside(float x, float y) =>
+            Quaternion.LookRotation(-rig.Eye, Vector3.up) * new Vector3(2f * PlaceAt(x) - 1f, 2f * PlaceAt(y) - 1f, 0f);
 
         private static void AssertShifted(float metres, Color seen) =>
             Assert.AreEqual(PlaceAt(Size / 2) - metres * Mathf.Sin(Turned) / (2f * WaterRig.HalfWidth), seen.r / Passing, 0.006f,
                 "to the left");
 
-        private static float PlaceAt(int pixel) => (pixel + 0.5f) / Size;
+        private static float PlaceAt(float pixel) => (pixel + 0.5f) / Size;
     }
 }

@@ -19,7 +19,10 @@ namespace SphFluid.Tests
         public const int ForwardPass = 0;
         public const int ShadowPass = 1;
 
-        private static readonly Matrix4x4 Parallel = Matrix4x4.Ortho(-HalfWidth, HalfWidth, -HalfWidth, HalfWidth, Near, Far);
+        /// <summary>Half the width of what the camera sees a metre before it, where it is not a parallel one.</summary>
+        public const float HalfAngle = 0.12f;
+
+        private const float Spacing = 0.025f;
 
         private readonly WaterDrawing water = new WaterDrawing(SurfaceTestScene.LoadShaders());
         private Vector3 eye = new Vector3(0f, 0f, -Distance);
@@ -42,6 +45,9 @@ namespace SphFluid.Tests
 
         /// <summary>The domain: walls and the cells of its grid, 64 an edge.</summary>
         public Bounds Domain { get; set; } = new Bounds(Vector3.zero, Vector3.one * 4f);
+
+        /// <summary>Whether what is far away is small.</summary>
+        public bool Perspective { get; set; }
 
         /// <summary>Where the camera is; it looks at the origin.</summary>
         public Vector3 Eye { get => eye; set => eye = value; }
@@ -80,13 +86,14 @@ namespace SphFluid.Tests
             Scene = NewTexture(colour);
         }
 
-        /// <summary>Metres from the camera as an orthographic depth texture holds them.</summary>
+        /// <summary>Metres from the camera as a depth texture holds them.</summary>
         public void SetDepth(Func<int, int, float> metres)
         {
             Object.DestroyImmediate(depth);
             depth = NewTexture((x, y) =>
             {
-                float between = (metres(x, y) - Near) / (Far - Near);
+                float between = Perspective ? (1f / Near - 1f / metres(x, y)) / (1f / Near - 1f / Far)
+                    : (metres(x, y) - Near) / (Far - Near);
                 return new Color(SystemInfo.usesReversedZBuffer ? 1f - between : between, 0f, 0f);
             });
         }
@@ -113,7 +120,6 @@ namespace SphFluid.Tests
             block.SetVector("_FluidThicknessView", new Vector4(Size, Size, 0f, 0f));
             block.SetTexture("_FluidSceneColour", Scene);
             block.SetTexture("_CameraDepthTexture", depth);
-            block.SetVector("unity_OrthoParams", new Vector4(HalfWidth, HalfWidth, 0f, 1f));
             change?.Invoke(block);
             Material material = fromWithin ? water.Within : water.Material;
             return Draw(cmd =>
@@ -128,9 +134,9 @@ namespace SphFluid.Tests
         /// <param name="position">Where it is.</param>
         /// <param name="spacing">dx, which its drops are spread over [m].</param>
         /// <param name="behind">Into the picture that the water refracts, instead of after the water.</param>
-        public Color[] RenderSpray(Vector3 position, float spacing, bool behind)
+        /// <param name="drops">How many; the first is mist.</param>
+        public Color[] RenderSpray(Vector3 position, float spacing, bool behind, int drops = 14)
         {
-            const int drops = 14;
             DrawPlacement placement = Placement;
             water.Thickness.Prepare(surface.Buffers, placement, Vector2Int.one * Size, false);
             using (var particle = new GraphicsBuffer(GraphicsBuffer.Target.Structured, 1, 32))
@@ -138,13 +144,12 @@ namespace SphFluid.Tests
             {
                 particle.SetData(new[] { position.x, position.y, position.z, 1f, 0f, 0f, 0f, 0f });
                 arguments.SetData(new[] { (uint)(drops * SprayBuffers.VerticesPerDrop), 1u, 0u, 0u });
-                water.Spray.Prepare(new SprayBuffers(particle, arguments, drops, spacing), 0f, placement, water.Thickness);
+                water.Spray.Prepare(new SprayBuffers(particle, arguments, drops, spacing), Look, placement, water.Thickness);
                 return Draw(cmd =>
                 {
                     cmd.SetGlobalVector("_FluidScene", new SceneTextures(SceneColourSource.Copy, true).ToVector());
                     cmd.SetGlobalVector("_FluidThicknessView", new Vector4(Size, Size, 0f, 0f));
                     cmd.SetGlobalTexture("_CameraDepthTexture", depth);
-                    cmd.SetGlobalVector("unity_OrthoParams", new Vector4(HalfWidth, HalfWidth, 0f, 1f));
                     cmd.SetGlobalFloat("_FluidSceneHeight", Size);
                     if (behind)
                         water.Spray.RecordBehindWater(cmd, 0);
@@ -154,16 +159,23 @@ namespace SphFluid.Tests
             }
         }
 
-        private DrawPlacement Placement => new DrawPlacement(Matrix4x4.identity, Domain.size, 0f, 0, false);
+        private DrawPlacement Placement => new DrawPlacement(Matrix4x4.identity, Domain.size, 0f, 0, false, false, Spacing);
 
         private Color[] Draw(Action<CommandBuffer> record)
         {
             Matrix4x4 view = SurfaceTestScene.LookAtOrigin(eye);
-            GpuTest.Run(cmd => water.Thickness.Record(cmd, new CameraViews(view, Parallel), Vector2Int.one * Size));
-            return SurfaceTestScene.Render(Size, view, Parallel, cmd =>
+            const float near = HalfAngle * Near;
+            Matrix4x4 projection = Perspective ? Matrix4x4.Frustum(-near, near, -near, near, Near, Far)
+                : Matrix4x4.Ortho(-HalfWidth, HalfWidth, -HalfWidth, HalfWidth, Near, Far);
+            GpuTest.Run(cmd => water.Thickness.Record(cmd, new CameraViews(view, projection), Vector2Int.one * Size));
+            return SurfaceTestScene.Render(Size, view, projection, cmd =>
             {
+                bool reversed = SystemInfo.usesReversedZBuffer;
+                float first = 1f / Near, last = 1f / Far;
                 cmd.SetGlobalVector("_WorldSpaceCameraPos", eye);
                 cmd.SetGlobalVector("_ProjectionParams", new Vector4(-1f, Near, Far, 1f / Far));
+                cmd.SetGlobalVector("_ZBufferParams", new Vector4(0f, 0f, reversed ? first - last : last - first, reversed ? last : first));
+                cmd.SetGlobalVector("unity_OrthoParams", new Vector4(HalfWidth, HalfWidth, 0f, Perspective ? 0f : 1f));
                 record(cmd);
             });
         }
