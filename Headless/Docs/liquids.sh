@@ -25,7 +25,7 @@ while IFS=, read -r name width moment; do
     read -r x y z < <(awk -v w="$width" 'BEGIN { s = w / 1.6; print 2.05 * s, 1.35 * s, -3.55 * s }')
     sed "s/@PREFAB@/$guid/; s/@X@/$x/; s/@Y@/$y/; s/@Z@/$z/" "$root/Headless/Docs/liquid.unity" > "$project/Assets/$name.unity"
     "$player" play --project "$project" --assemblies "$root/Build/ScriptAssemblies" --scene "Assets/$name.unity" --seconds 3 --fps $fps \
-        --size 192x192 --out "$plays/$name" < /dev/null > "$plays/$name.log" 2>&1 || { tail -n 20 "$plays/$name.log"; exit 1; }
+        --size 160x160 --out "$plays/$name" < /dev/null > "$plays/$name.log" 2>&1 || { tail -n 20 "$plays/$name.log"; exit 1; }
     if grep '^\[\(Warning\|Error\)\]' "$plays/$name.log"; then exit 1; fi
     frame=$(awk -v t="$moment" -v f=$fps 'BEGIN { printf "%05.0f", t * f }')
     cp "$plays/$name/frame_$frame.png" "$package/Editor/Liquids/$name.png"

@@ -18,7 +18,7 @@ namespace SphFluid.Editor
             "liquid", "domainSize", "particleSpacing", "method", "colliderLayers", "paused", "timeScale", "playOnEnable",
         };
 
-        [OutlivesPlay("what the user has unfolded")] private static bool showsAdvanced, showsFigures;
+        [OutlivesPlay("what the user has unfolded")] internal static bool showsAdvanced, showsFigures;
 
         private readonly BoxBoundsHandle handle = new BoxBoundsHandle();
         private ValidationGUI validation;

@@ -49,7 +49,7 @@ namespace SphFluid.Validation
         /// <summary>Method for every simulation; null keeps the scene's.</summary>
         public FluidMethodKind? Method { get; private set; }
 
-        /// <summary>Liquid of the package for every simulation, one of <see cref="PackageLiquids.Names"/>; null keeps the scene's.</summary>
+        /// <summary>Liquid for every simulation, one of <see cref="PackageLiquids.Names"/>; null keeps the scene's.</summary>
         public string Liquid { get; private set; }
 
         /// <summary>Frame budget for every simulation [ms]; null keeps the scene's.</summary>

@@ -20,7 +20,8 @@ namespace SphFluid.Validation
         {
             string path = $"{Folder}/{AssetName(name)}.asset";
             return SessionAssets.Load<FluidLiquid>(path) ??
-                throw new CommandLineException($"--liquid {name}: '{path}' is not there; install the package under its name, com.sphfluid.");
+                throw new CommandLineException(
+                    $"--liquid {name}: '{path}' is not there; install the package under its name, com.sphfluid.");
         }
 
         internal static string AssetName(string name) =>

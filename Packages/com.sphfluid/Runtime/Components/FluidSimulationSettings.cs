@@ -85,8 +85,8 @@ namespace SphFluid
 
         [SerializeField,
             Tooltip(
-                "The relaxed start as Save Relaxed Start wrote it. The liquid starts from it at once, as long as it is the same liquid in " +
-            "the same vessel; otherwise it comes to rest anew.")]
+                "The relaxed start as Save Relaxed Start wrote it. The liquid starts from it at once, as long as it is the same liquid " +
+                "in the same vessel; otherwise it comes to rest anew.")]
         private TextAsset savedStart;
 
         [SerializeField, Range(0f, FluidSpawner.MaxJitter),

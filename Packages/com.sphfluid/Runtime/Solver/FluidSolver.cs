@@ -387,8 +387,8 @@ namespace SphFluid
         }
 
         /// <summary>
-        /// Records the walls of triangles near particles (Shaders/Solver/Cells/PackedWall.hlsl) for a kernel with FLUID_MESH_WALLS, which is
-        /// off where the method gathers none.
+        /// Records the walls of triangles near particles (Shaders/Solver/Cells/PackedWall.hlsl) for a kernel with FLUID_MESH_WALLS,
+        /// which is off where the method gathers none.
         /// </summary>
         /// <param name="cmd">Command buffer to record into, after the neighbour setup.</param>
         /// <param name="kernel">The kernel.</param>

@@ -91,10 +91,22 @@ float LayerLength(WaterRay ray, float straight, float toWall)
         else
             beyond = middle;
     }
+    // Where the face crosses the line, by the last two points; by the first and the last before where the other is hidden or not in sight.
+    float2 last = RayScreen(ray, beyond);
+    bool isInPicture = all(last == saturate(last));
     float before = LayerLeft(ray, within);
     float after = LayerLeft(ray, beyond);
-    float ended = after < min(before, 0.0) ? lerp(within, beyond, clamp(before / (before - after), -8.0, 1.0))
-        : min(within + before / max(ray.depthStep, 1e-3), beyond);
+    float ended = min(within + before / max(ray.depthStep, 1e-3), beyond);
+    if (isInPicture && after < min(before, 0.0))
+    {
+        ended = lerp(within, beyond, clamp(before / (before - after), -8.0, 1.0));
+    }
+    else if (within > 0.0)
+    {
+        float first = LayerLeft(ray, 0.0);
+        ended = first > before ? within * first / (first - before) : beyond;
+        ended = clamp(ended, 0.0, isInPicture ? beyond : toWall);
+    }
     ended = FirstLayerEnd(RayScreen(ray, within)) < 0.0 ? straight : max(ended, 0.0);
     bool isOpen = FirstLayerEnd(RayScreen(ray, 0.0)) < 0.0;
     return tries == 0u || isOpen ? min(straight, toWall) : reachesWall ? toWall : ended;
@@ -120,8 +132,8 @@ bool IsMirroredByWall(WaterRay ray, float longest, DomainExit exit)
     float across = dot(ray.direction, exit.normal);
     bool reaches = exit.metres - longest < 2.0 * _MCCellSize.x;
     float3 inwards = RayPoint(ray, longest) - exit.normal * (2.0 * _FluidReceived.y + _MCCellSize.x);
-    return reaches && IsInLayer(WaterScreen(inwards), WaterEyeDepth(inwards)) && _FluidRefractionSteps.z > 0.5 && 1.0 - across * across > AIR_TO_WATER * AIR_TO_WATER &&
-        GapBehind(ray, longest) > WALL_CONTACT;
+    return reaches && _FluidRefractionSteps.z > 0.5 && 1.0 - across * across > AIR_TO_WATER * AIR_TO_WATER &&
+        GapBehind(ray, longest) > WALL_CONTACT && IsInLayer(WaterScreen(inwards), WaterEyeDepth(inwards));
 }
 
 // What is seen along a line of sight that meets the water at "world".

@@ -99,7 +99,7 @@ float3 WaterMirror(float3 direction)
     return colour;
 }
 
-// What a point of the surface mirrors: the scene as far as the picture shows it, and beside it what is told above. share: of it that counts.
+// What a point of the surface mirrors: the scene as far as the picture shows it, else the surroundings. share: Fresnel's.
 float3 WaterSurroundings(float3 world, float3 direction, float share)
 {
     float3 colour = FluidExposed(WaterMirror(direction));

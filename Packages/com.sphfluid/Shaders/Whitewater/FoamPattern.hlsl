@@ -30,7 +30,8 @@ float4 FilmPlaces(float3 position, float3 velocity, float3 normal, float phase, 
     float2 way = AlongSurface(velocity, normal) * FOAM_PERIOD;
     float2 first = FilmTurn(phase, 0.0);
     float2 second = FilmTurn(phase, 1.0);
-    return float4(place - way * (first.x - 0.5), place - way * (second.x - 0.5)) / cell + float4(first.yy, second.yy) * float4(17.3, 5.1, 11.7, 23.9);
+    float4 along = float4(place - way * (first.x - 0.5), place - way * (second.x - 0.5)) / cell;
+    return along + float4(first.yy, second.yy) * float4(17.3, 5.1, 11.7, 23.9); // elsewhere in each period
 }
 
 // Two numbers from 0 to 1 of a cell.

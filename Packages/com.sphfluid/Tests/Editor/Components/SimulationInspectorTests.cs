@@ -30,6 +30,22 @@ namespace SphFluid.Tests
             Assert.That(FluidInspector.Visible(edited, FluidSimulationEditor.Rows), Is.EqualTo(all.Except(FluidSimulationEditor.Rows)));
         }
 
+        [Test]
+        public void UnfoldedItDrawsToo()
+        {
+            try
+            {
+                FluidSimulationEditor.showsAdvanced = FluidSimulationEditor.showsFigures = true;
+                simulation.Liquid = PackageAssets.Liquid("Water");
+                new GameObject("Volume").AddComponent<FluidVolume>().transform.SetParent(simulation.transform, false);
+                InspectorDrawing.Draw(simulation);
+            }
+            finally
+            {
+                FluidSimulationEditor.showsAdvanced = FluidSimulationEditor.showsFigures = false;
+            }
+        }
+
         [TestCase("domainSize", "Domain Size (m)")]
         [TestCase("particleSpacing", "Particle Spacing (m)")]
         [TestCase("expectedSpeed", "Expected Speed (m/s)")]

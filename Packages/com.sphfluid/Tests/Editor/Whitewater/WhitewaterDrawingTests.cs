@@ -72,7 +72,11 @@ namespace SphFluid.Tests
                 drawing.Fill(buffers, Spacing, 1f, Color.white, new DrawPlacement(Matrix4x4.identity, Vector3.one, 0f, 0, false), time);
                 float half = 0.5f * Spacing * Side / pixelsPerSpacing;
                 Color[] picture = SurfaceTestScene.Render(Side, SurfaceTestScene.LookAtOrigin(2f * Vector3.back),
-                    Matrix4x4.Ortho(-half, half, -half, half, 0.1f, 10f), drawing.Record);
+                    Matrix4x4.Ortho(-half, half, -half, half, 0.1f, 10f), cmd =>
+                    {
+                        cmd.SetGlobalVector("_WorldSpaceCameraPos", 1000f * Vector3.back); // the same view everywhere
+                        drawing.Record(cmd);
+                    });
                 double mean = picture.Average(pixel => pixel.a);
                 Assert.That(mean, Is.InRange(0.02, 0.98));
                 return picture.Select(pixel => pixel.a - mean).ToArray();

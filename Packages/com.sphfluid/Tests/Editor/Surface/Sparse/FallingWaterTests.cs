@@ -41,7 +41,8 @@ namespace SphFluid.Tests
                     Vector3 place = particles[i].Position - grid.Minimum;
                     place = new Vector3(place.x / grid.CellSize.x, place.y / grid.CellSize.y, place.z / grid.CellSize.z);
                     Vector3Int cell = Vector3Int.FloorToInt(place);
-                    within += blocks.TryGetValue(Block(cell), out float[] samples) && Value(samples, cell, place - cell) >= field.IsoValue ? 1 : 0;
+                    bool isSampled = blocks.TryGetValue(Block(cell), out float[] samples);
+                    within += isSampled && Value(samples, cell, place - cell) >= field.IsoValue ? 1 : 0;
                 }
                 TestContext.WriteLine($"{scene}: {falling} fall, {100 * within / falling} % within, {100 * leaving / falling} % spray");
                 Assert.That(falling, Is.GreaterThan(250));

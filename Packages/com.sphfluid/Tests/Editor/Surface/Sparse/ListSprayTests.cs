@@ -166,7 +166,8 @@ namespace SphFluid.Tests
             FluidParticle[] particles = ParticleSets.Random(count, domain, 1f, count);
             for (int i = 0; i < count; i++)
             {
-                if (i % 3 != 0) particles[i] = new FluidParticle(particles[i].Position, 2f * Vector3.down + 0.3f * particles[i].VelT1, (uint)i);
+                Vector3 own = particles[i].VelT1;
+                particles[i].VelT0 = particles[i].VelT1 = i % 3 == 0 ? own : 2f * Vector3.down + 0.3f * own;
             }
             return particles;
         }

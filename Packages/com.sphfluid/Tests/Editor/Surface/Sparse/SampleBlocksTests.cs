@@ -45,7 +45,8 @@ namespace SphFluid.Tests
         {
             FluidSolverSettings settings = Settings(true, periodic);
             SurfaceFieldSettings field = SurfaceFieldSettings.For(quality, settings).WithSpray(true);
-            CompareWithReference(ListSprayTests.Flowing(count, Domain), settings, field, SurfaceGrid.OverDomain(Domain, field.CellSize), 2e-3);
+            SurfaceGrid grid = SurfaceGrid.OverDomain(Domain, field.CellSize);
+            CompareWithReference(ListSprayTests.Flowing(count, Domain), settings, field, grid, 2e-3);
         }
 
         // Spacings far from 1 m on either side of it: a length taken for its square or its inverse shows.
