@@ -21,7 +21,7 @@ namespace SphFluid.Editor
             for (int i = Array.IndexOf(words, "--scenes") + 1; i > 0 && i < words.Length; i++)
             {
                 EditorSceneManager.OpenScene(words[i]);
-                foreach (FluidSimulation simulation in UnityEngine.Object.FindObjectsByType<FluidSimulation>(FindObjectsSortMode.None))
+                foreach (FluidSimulation simulation in SceneObjects.All<FluidSimulation>())
                     if (simulation.StartRelaxation != FluidStartRelaxation.None) isGood &= TrySave(simulation);
             }
             EditorApplication.Exit(isGood ? 0 : 1);

@@ -34,7 +34,9 @@ namespace SphFluid
             float farthest = 0f;
             for (int i = 0; i < sites.Count; i++)
                 for (int axis = 0; axis < 3; axis++)
+                {
                     farthest = Mathf.Max(farthest, Mathf.Abs(rested[i].Position[axis] - sites[i].Position[axis]));
+                }
             float unit = Mathf.Max(farthest, 1e-30f) / short.MaxValue;
             var steps = new short[3 * sites.Count];
             for (int i = 0; i < steps.Length; i++)

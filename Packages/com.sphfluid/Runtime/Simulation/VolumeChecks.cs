@@ -49,7 +49,7 @@ namespace SphFluid
             FluidFaces walls = SpawnRequests.WallsOf(spec);
             Bounds box = AffineMath.BoundsOf(frame, Vector3.one);
             Bounds fitted = WallFit.DrawnOut(box, spec.DomainSize, walls, spec.Spacing, spec.LocalGravity);
-            double growth = (double)fitted.size.x * fitted.size.y * fitted.size.z / ((double)box.size.x * box.size.y * box.size.z) - 1.0;
+            double growth = VolumeOf(fitted) / VolumeOf(box) - 1.0;
             if (growth > MostGrown)
             {
                 messages.Add(new FluidMessage(FluidSeverity.Info, FluidIssue.VolumeDrawnOut, volume.Owner,
@@ -61,6 +61,8 @@ namespace SphFluid
             return new LiquidBox(volume.Name, stays ? frame : Matrix4x4.TRS(fitted.center, Quaternion.identity, fitted.size), velocity,
                 WallFit.At(fitted, spec.DomainSize, walls, spec.Spacing));
         }
+
+        private static double VolumeOf(Bounds box) => (double)box.size.x * box.size.y * box.size.z;
 
         /// <summary>Checks whether a vessel that was fitted holds its liquid.</summary>
         /// <returns>False when an error was added to the messages.</returns>

@@ -27,7 +27,7 @@ namespace SphFluid
         // Flowing takes about ten times √(H/g) in all, whether damped by half a √(g/H) or not at all; ten times that damping stops it.
         private const double FlowTime = 4.0;
         private const double FlowRate = 0.5;
-        private const int MostFlows = 8;
+        private const int MostFlows = 16;
 
         // Overlaps push particles about their own width; they part at once, and sooner than the liquid as a whole settles.
         private const double LocalRate = 0.5;
@@ -82,7 +82,7 @@ namespace SphFluid
         private double Rate => Math.PI / crossing;
 
         /// <summary>
-        /// Settles the liquid, lets it flow and settles it again until no particle is accelerated by more than what is asked for, or eight
+        /// Settles the liquid, lets it flow and settles it again until no particle is accelerated by more than what is asked for, or sixteen
         /// times.
         /// </summary>
         /// <param name="acceleration">Largest acceleration to be left [m/s²].</param>
