@@ -26,7 +26,7 @@ namespace SphFluid
                 if (IsWall(walls, 2 * axis) && gravity[axis] <= steep && IsNear(low[axis] + wall, spacing)) low[axis] = -wall;
                 if (IsWall(walls, 2 * axis + 1) && gravity[axis] >= -steep && IsNear(wall - high[axis], spacing)) high[axis] = wall;
             }
-            box.SetMinMax(low, high);
+            if (low != box.min || high != box.max) box.SetMinMax(low, high); // which rounds
             return box;
         }
 

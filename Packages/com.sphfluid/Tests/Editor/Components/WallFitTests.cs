@@ -33,7 +33,7 @@ namespace SphFluid.Tests
             Assert.That(Drawn(full, FluidFaces.All).max.y, Is.EqualTo(full.max.y), "liquid does not hang on a ceiling");
         }
 
-        [TestCase(0.4f, 4)]
+        [TestCase(0.39f, 4)]
         [TestCase(0.45f, 5)]
         public void ItsLayersAreLevelFromWallToWall(float depth, int layers)
         {
