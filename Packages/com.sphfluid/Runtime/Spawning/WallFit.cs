@@ -9,6 +9,7 @@ namespace SphFluid
     internal static class WallFit
     {
         private const float Tolerance = 1e-3f; // of a spacing
+        private const float MostDrawnOut = 1f / 3f; // of the box: what is thinner than three gaps is a drop, and no pool
 
         /// <summary>A box with faces along the domain's axes, drawn out to the walls that it ends a spacing or less from.</summary>
         /// <param name="box">The box in simulation space [m].</param>
@@ -23,8 +24,9 @@ namespace SphFluid
             for (int axis = 0; axis < 3; axis++)
             {
                 float wall = 0.5f * domain[axis];
-                if (IsWall(walls, 2 * axis) && gravity[axis] <= steep && IsNear(low[axis] + wall, spacing)) low[axis] = -wall;
-                if (IsWall(walls, 2 * axis + 1) && gravity[axis] >= -steep && IsNear(wall - high[axis], spacing)) high[axis] = wall;
+                float near = Mathf.Min((1f + Tolerance) * spacing, MostDrawnOut * box.size[axis]);
+                if (IsWall(walls, 2 * axis) && gravity[axis] <= steep && IsNear(low[axis] + wall, near)) low[axis] = -wall;
+                if (IsWall(walls, 2 * axis + 1) && gravity[axis] >= -steep && IsNear(wall - high[axis], near)) high[axis] = wall;
             }
             if (low != box.min || high != box.max) box.SetMinMax(low, high); // which rounds
             return box;
@@ -49,6 +51,6 @@ namespace SphFluid
 
         private static bool IsWall(FluidFaces walls, int face) => (walls & (FluidFaces)(1 << face)) != 0;
 
-        private static bool IsNear(float gap, float spacing) => gap > 0f && gap <= (1f + Tolerance) * spacing;
+        private static bool IsNear(float gap, float near) => gap > 0f && gap <= near;
     }
 }
