@@ -64,7 +64,7 @@ namespace SphFluid.Tests
             rig.Look.Scattering = new Color(red2, green2, blue2);
             rig.ReplaceScene((x, y) => Color.white);
             rig.Box(0.4f);
-            using var light = new WhiteLight(Vector3.up);
+            using var light = new WhiteLight(new Vector3(0f, 1f, -1f));
             Color.RGBToHSV(WaterRig.Centre(rig.Render(block => block.SetVector("_FluidLightColour", Vector4.one))).gamma,
                 out float hue, out _, out _);
             Color.RGBToHSV(Light(rig.RenderSpray(Before, Spacing, behind: false)).gamma, out float spray, out float saturation, out _);

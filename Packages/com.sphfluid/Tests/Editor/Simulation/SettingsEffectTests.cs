@@ -25,6 +25,7 @@ namespace SphFluid.Tests
             ["paused"] = "the component reads it in each frame",
             ["timeScale"] = "the clock reads it in each frame",
             ["playOnEnable"] = "the component reads it when it is enabled",
+            ["savedStart"] = "a start with a relaxation reads it",
             ["capacityPolicy"] = "the emitters' slots read it in each frame",
             ["capacity"] = "the emitters' slots read it in each frame",
         };
@@ -141,6 +142,7 @@ namespace SphFluid.Tests
                 packed.StartRelaxation = FluidStartRelaxation.Packed;
                 return new object[] { packed };
             }
+            if (type == typeof(TextAsset)) return new object[] { new TextAsset("a start") };
             if (type == typeof(FluidShaderSet)) return new object[] { ScriptableObject.CreateInstance<FluidShaderSet>() };
             throw new NotSupportedException($"No other value of {type} is known; add one.");
         }
