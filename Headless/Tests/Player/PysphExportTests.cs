@@ -44,10 +44,10 @@ public sealed class PysphExportTests
     [Test]
     public void AMovingPaddleIsABody()
     {
-        PlayerProcess run = Export("--scene", "Packages/com.sphfluid/Samples~/WaveTank/WaveTank.unity", "--particles", "500", "--seconds", "0.25", "--frame-rate", "20");
+        PlayerProcess run = Export("--scene", "Packages/com.sphfluid/Samples~/WaveTank/WaveTank.unity", "--particles", "500", "--seconds", "0.75", "--frame-rate", "20");
         Assert.That(run.ExitCode, Is.Zero, run.Output + run.Errors);
         JsonElement body = Json("manifest.json").GetProperty("bodies").EnumerateArray().First();
-        Assert.That(body.GetProperty("poses").GetInt32(), Is.InRange(5, 7));
+        Assert.That(body.GetProperty("poses").GetInt32(), Is.InRange(15, 17));
         Assert.That(body.GetProperty("particles").GetInt64(), Is.Positive);
     }
 

@@ -12,7 +12,7 @@ namespace SphFluid
     public sealed class FluidLiquid : ScriptableObject
     {
         [Header("Motion")]
-        [SerializeField, Tooltip("How it moves: density, viscosity, surface tension, and how faithfully they are computed.")]
+        [SerializeField, Tooltip("How it moves: its constants, and how faithfully they are computed.")]
         private FluidProfile profile;
 
         [SerializeField,

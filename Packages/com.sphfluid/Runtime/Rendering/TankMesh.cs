@@ -9,6 +9,7 @@ namespace SphFluid
     internal sealed class TankMesh
     {
         private const int Quad = 4;
+        private const float Apart = 0.125f; // of a bar: what stands at the box, such as a floor, is not in the plane of the bar's face
 
         private readonly List<Vector3> positions = new List<Vector3>();
         private readonly List<Vector3> normals = new List<Vector3>();
@@ -50,9 +51,9 @@ namespace SphFluid
                 int u = (axis + 1) % 3, v = (axis + 2) % 3;
                 for (int corner = 0; corner < 4; corner++)
                 {
-                    Vector3 centre = Vector3.zero, extents = 0.5f * bar * Vector3.one;
-                    centre[u] = ((corner & 1) == 0 ? -1f : 1f) * (half[u] + 0.5f * bar);
-                    centre[v] = ((corner & 2) == 0 ? -1f : 1f) * (half[v] + 0.5f * bar);
+                    Vector3 centre = Vector3.zero, extents = 0.5f * (1f - Apart) * bar * Vector3.one;
+                    centre[u] = ((corner & 1) == 0 ? -1f : 1f) * (half[u] + 0.5f * (1f + Apart) * bar);
+                    centre[v] = ((corner & 2) == 0 ? -1f : 1f) * (half[v] + 0.5f * (1f + Apart) * bar);
                     extents[axis] = half[axis] + (axis == 0 ? bar : 0f);
                     for (int face = 0; face < 6; face++) AddFace(centre, extents, face / 2, face % 2 == 0 ? -1 : 1, 0f);
                 }

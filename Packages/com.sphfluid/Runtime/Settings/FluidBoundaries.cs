@@ -65,6 +65,9 @@ namespace SphFluid
         /// <summary>Whether all is as without this setting.</summary>
         public bool IsDefault => Equals(default);
 
+        /// <summary>Faces that are walls: neither open nor periodic.</summary>
+        internal FluidFaces Walls => FluidFaces.All & ~(Open | FacesOf(Periodic));
+
         /// <summary>Checks that every face can be computed with.</summary>
         /// <exception cref="ArgumentException">A velocity is out of range or acts on nothing; the message names it and the
         /// cure.</exception>

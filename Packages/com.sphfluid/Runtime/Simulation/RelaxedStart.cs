@@ -79,7 +79,7 @@ namespace SphFluid
         /// <summary>What relaxes a start: the method Standard, whatever method runs it.</summary>
         public static FluidSolverSettings Settings(FluidSpec spec, FluidStart start)
         {
-            if (spec.Method == FluidMethodKind.Standard) return Settings(start.Constants, spec.StartRelaxation);
+            if (FluidMethods.Has(spec.Method, FluidMethodFeatures.RelaxedStart)) return Settings(start.Constants, spec.StartRelaxation);
             spec.Method = FluidMethodKind.Standard;
             return Settings(FluidConstants.Derive(spec, start, start.Gravity), spec.StartRelaxation);
         }

@@ -7,10 +7,6 @@ namespace SphFluid
     /// <summary>What a simulation asks of the spawner.</summary>
     internal static class SpawnRequests
     {
-        /// <summary>Faces of the domain that are walls: neither open nor periodic.</summary>
-        public static FluidFaces WallsOf(in FluidSpec spec) =>
-            FluidFaces.All & ~(spec.Boundaries.Open | FluidBoundaries.FacesOf(spec.Boundaries.Periodic));
-
         /// <summary>The request for shapes of liquid among the colliders gathered in <paramref name="collision"/>.</summary>
         public static SpawnRequest For(in FluidSpec spec, IReadOnlyList<LiquidShape> shapes, CollisionScene collision)
         {
@@ -19,7 +15,7 @@ namespace SphFluid
             return new SpawnRequest
             {
                 DomainSize = spec.DomainSize,
-                Walls = WallsOf(spec),
+                Walls = spec.Boundaries.Walls,
                 Spacing = spec.Spacing,
                 Shapes = shapes,
                 MaxParticles = spec.HasProfile ? spec.Profile.MaxParticles : ProfileSpec.ParticleLimit,

@@ -46,7 +46,7 @@ namespace SphFluid
         private static LiquidBox Fitted(in VolumeSpec volume, in Matrix4x4 frame, in FluidSpec spec, Vector3 velocity,
             List<FluidMessage> messages)
         {
-            FluidFaces walls = SpawnRequests.WallsOf(spec);
+            FluidFaces walls = spec.Boundaries.Walls;
             Bounds box = AffineMath.BoundsOf(frame, Vector3.one);
             Bounds fitted = WallFit.DrawnOut(box, spec.DomainSize, walls, spec.Spacing, spec.LocalGravity);
             double growth = VolumeOf(fitted) / VolumeOf(box) - 1.0;

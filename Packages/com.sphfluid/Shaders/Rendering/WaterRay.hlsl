@@ -158,7 +158,8 @@ MarchEnd March(WaterRay ray, float longest, uint most)
             {
                 float before = PlaneGap(ray, MarchMetres(seen, longest, nearer));
                 float after = PlaneGap(ray, MarchMetres(behind, longest, nearer));
-                float met = before / max(before - after, 1e-6);
+                // A line that runs along a plane does not come nearer to it between the two.
+                float met = before - after > 0.25 * left ? before / (before - after) : 0.5;
                 seen = max(lerp(seen, behind, clamp(met, -8.0, 4.0)), 0.0);
             }
         }
