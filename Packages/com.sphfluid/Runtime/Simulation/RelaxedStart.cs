@@ -42,7 +42,7 @@ namespace SphFluid
             if (isSaved || spec.SavedStart != null)
             {
                 Report(spec, report, FluidSeverity.Info,
-                    (spec.SavedStart == null ? "No relaxed start was saved" : "The relaxed start was saved of another liquid or vessel") +
+                    (spec.SavedStart == null ? "Saved Start is empty" : "The relaxed start was saved of another liquid or vessel") +
                     (isSaved ? ", so the liquid starts from its lattice." : ", so the liquid comes to rest anew."),
                     "Save it in the inspector: Save Relaxed Start.");
             }

@@ -53,7 +53,7 @@ namespace SphFluid
             if (growth > MostGrown)
             {
                 messages.Add(new FluidMessage(FluidSeverity.Info, FluidIssue.VolumeDrawnOut, volume.Owner,
-                    FormattableString.Invariant($"The liquid volume ends less than a spacing from the domain's walls. It is drawn out to ") +
+                    "The liquid volume ends less than a spacing from the domain's walls. It is drawn out to " +
                     FormattableString.Invariant($"them, so that it rests there: {100.0 * growth:0.#} % more liquid."),
                     "To have no message, let the volume end at the walls, or more than a spacing from them."));
             }

@@ -82,8 +82,8 @@ namespace SphFluid
         private double Rate => Math.PI / crossing;
 
         /// <summary>
-        /// Settles the liquid, lets it flow and settles it again until no particle is accelerated by more than what is asked for, or sixteen
-        /// times.
+        /// Settles the liquid, lets it flow and settles it again until no particle is accelerated by more than what is asked for, or
+        /// sixteen times.
         /// </summary>
         /// <param name="acceleration">Largest acceleration to be left [m/s²].</param>
         /// <param name="goesOn">Asked after each part of bounded work; false ends the relaxation. Null: nobody is asked.</param>

@@ -20,7 +20,7 @@ namespace SphFluid.Tests
             Assert.That(new SavedStart(Water(), moving, None).TryRead(bytes, out FluidParticle[] found));
             for (int i = 0; i < found.Length; i++)
             {
-                Assert.That((found[i].Position - rested[i].Position).magnitude, Is.LessThan(2e-6f), "a half of 1/32767 of the farthest way");
+                Assert.That((found[i].Position - rested[i].Position).magnitude, Is.LessThan(2e-6f), "half of a step");
                 Assert.That(found[i].VelT0, Is.EqualTo(Vector3.right));
             }
             new SavedStart(Water(), sites, None).TryRead(new SavedStart(Water(), sites, None).Write(found), out FluidParticle[] again);
