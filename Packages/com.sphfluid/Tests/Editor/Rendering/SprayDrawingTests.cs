@@ -64,9 +64,13 @@ namespace SphFluid.Tests
             rig.Look.Scattering = new Color(red2, green2, blue2);
             rig.ReplaceScene((x, y) => Color.white);
             rig.Box(0.4f);
-            using var light = new WhiteLight(new Vector3(0f, 1f, -1f));
-            Color.RGBToHSV(WaterRig.Centre(rig.Render(block => block.SetVector("_FluidLightColour", Vector4.one))).gamma,
-                out float hue, out _, out _);
+            Vector3 toLight = new Vector3(0f, 1f, -1f).normalized; // before the face that is looked at, which may be matt
+            using var light = new WhiteLight(toLight);
+            Color.RGBToHSV(WaterRig.Centre(rig.Render(block =>
+            {
+                block.SetVector("_FluidLightColour", Vector4.one);
+                block.SetVector("_FluidLightDirection", toLight);
+            })).gamma, out float hue, out _, out _);
             Color.RGBToHSV(Light(rig.RenderSpray(Before, Spacing, behind: false)).gamma, out float spray, out float saturation, out _);
             Assert.Less(Mathf.Abs(Mathf.DeltaAngle(360f * hue, 360f * spray)), 10f);
             Assert.Greater(saturation, 0.02f);
