@@ -64,12 +64,12 @@ namespace SphFluid.Tests
             rig.Look.Scattering = new Color(red2, green2, blue2);
             rig.ReplaceScene((x, y) => Color.white);
             rig.Box(0.4f);
-            Vector3 toLight = new Vector3(0f, 1f, -1f).normalized; // before the face that is looked at, which may be matt
-            using var light = new WhiteLight(toLight);
+            using var light = new WhiteLight(Vector3.up);
+            Vector3 before = new Vector3(0f, 0.99f, -0.14f); // of the face that is looked at, which may be matt
             Color.RGBToHSV(WaterRig.Centre(rig.Render(block =>
             {
                 block.SetVector("_FluidLightColour", Vector4.one);
-                block.SetVector("_FluidLightDirection", toLight);
+                block.SetVector("_FluidLightDirection", before);
             })).gamma, out float hue, out _, out _);
             Color.RGBToHSV(Light(rig.RenderSpray(Before, Spacing, behind: false)).gamma, out float spray, out float saturation, out _);
             Assert.Less(Mathf.Abs(Mathf.DeltaAngle(360f * hue, 360f * spray)), 10f);
