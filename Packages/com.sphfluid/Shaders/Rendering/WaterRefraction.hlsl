@@ -17,6 +17,7 @@ struct SeenThrough
 {
     float2 screen; // where the scene's colour is
     float path;    // way through water, metres
+    float3 mirror; // xy: where the colour is that the surface mirrors; z: its share, 0: the picture does not show it
 };
 
 // Where a line leaves the domain: distance, and the wall's outward normal in world space.
@@ -112,19 +113,6 @@ float LayerLength(WaterRay ray, float straight, float toWall)
     return tries == 0u || isOpen ? min(straight, toWall) : reachesWall ? toWall : ended;
 }
 
-// Light leaves the layer and goes on as it came: parallel faces, those of a tank's panes for example, turn it back into its old direction.
-float2 SeenBehindLayer(WaterRay ray, float metres, float3 view, float2 screen)
-{
-    WaterRay onward = StartRay(RayPoint(ray, metres), -view);
-    float2 place = onward.front > _ProjectionParams.y ? RayScreen(onward, 0.0) : screen;
-    if (_FluidRefractionSteps.y > 0.5)
-    {
-        MarchEnd end = March(onward, FAR_BEHIND * onward.front / max(onward.depthStep, 1e-3), (uint)_FluidRefractionSteps.y);
-        place = end.isWhole ? screen : RayScreen(onward, end.metres);
-    }
-    return place;
-}
-
 // A pane at the side of a tank mirrors what meets it at less than the critical angle: sin of the angle to the normal above 0.75. On a film,
 // up to two spacings thick, the particles' bumps would show all that stands round the tank in pieces.
 bool IsMirroredByWall(WaterRay ray, float longest, DomainExit exit)
@@ -136,45 +124,87 @@ bool IsMirroredByWall(WaterRay ray, float longest, DomainExit exit)
         GapBehind(ray, longest) > WALL_CONTACT && IsInLayer(WaterScreen(inwards), WaterEyeDepth(inwards));
 }
 
+// Lines that are followed one after the other, by one loop: inlined for each, the march would be most of the shader.
+#define LINE_IN_WATER 0u
+#define LINE_OFF_WALL 1u // mirrored by a wall
+#define LINE_BEHIND 2u   // light leaves the layer and goes on as it came: parallel faces, as those of panes, turn it back
+#define LINE_MIRRORED 3u // by the surface
+#define LINE_NONE 4u
+
 // What is seen along a line of sight that meets the water at "world".
 // layer: thickness of the nearest layer; water: of all of it before the scene; both metres along the camera's axis.
-SeenThrough SeeThrough(float3 world, float3 view, float3 normal, float alongAxis, float layer, float water)
+// mirrors: whether what the surface mirrors is looked for in the picture.
+SeenThrough SeeThrough(float3 world, float3 view, float3 normal, float alongAxis, float layer, float water, bool mirrors)
 {
     SeenThrough seen;
     float2 screen = WaterScreen(world);
     float3 bent = normalize(lerp(-view, refract(-view, normal, AIR_TO_WATER), _Refraction));
-    WaterRay ray = StartRay(world, bent);
     DomainExit exit = LeaveDomain(world, bent);
-    float longest = LayerLength(ray, layer / alongAxis, exit.metres);
     float others = max(water - layer, 0.0) / alongAxis;
+    seen.screen = screen;
+    seen.path = water / alongAxis;
+    seen.mirror = 0.0;
 
-    MarchEnd end;
-    if (_FluidRefractionSteps.x > 0.5)
+    WaterRay ray = StartRay(world, bent);
+    float straight = layer / alongAxis;
+    float reach = exit.metres;
+    float before = 0.0; // metres of water before this line
+    uint kind = LINE_IN_WATER;
+    [loop]
+    for (uint i = 0; i < 3u && kind != LINE_NONE; i++)
     {
-        end = March(ray, longest, (uint)_FluidRefractionSteps.x);
-    }
-    else
-    {
+        float inLayer = reach;
+        [branch]
+        if (kind <= LINE_OFF_WALL)
+            inLayer = LayerLength(ray, straight, reach);
+        float longest = kind == LINE_IN_WATER ? inLayer : reach;
+        uint most = (uint)(kind == LINE_BEHIND ? _FluidRefractionSteps.y : kind == LINE_MIRRORED ? _FluidRefractionSteps.w
+            : _FluidRefractionSteps.x);
+        MarchEnd end;
         end.isMet = false;
         end.isWhole = GapBehind(ray, longest) >= 0.0;
         end.metres = end.isWhole ? longest : 0.0;
-    }
-    seen.screen = RayScreen(ray, end.metres);
-    seen.path = end.isMet ? end.metres : end.isWhole ? longest + others : water / alongAxis;
-    if (end.isWhole)
-    {
-        if (IsMirroredByWall(ray, longest, exit))
+        [branch]
+        if (most > 0u)
+            end = March(ray, longest, most);
+        float2 place = RayScreen(ray, end.metres);
+
+        uint next = mirrors && kind != LINE_MIRRORED ? LINE_MIRRORED : LINE_NONE;
+        if (kind == LINE_IN_WATER)
         {
-            WaterRay mirrored = StartRay(RayPoint(ray, longest), reflect(bent, exit.normal));
-            float reach = LeaveDomain(mirrored.start, mirrored.direction).metres;
-            MarchEnd second = March(mirrored, reach, (uint)_FluidRefractionSteps.x);
-            seen.screen = RayScreen(mirrored, second.metres);
-            seen.path = longest + min(second.metres, LayerLength(mirrored, 0.0, reach));
+            seen.screen = place;
+            seen.path = end.isMet ? end.metres : end.isWhole ? longest + others : water / alongAxis;
+            bool isOffWall = end.isWhole && IsMirroredByWall(ray, longest, exit);
+            if (isOffWall || end.isWhole && GapBehind(ray, longest) > 2e-3 * ray.front)
+            {
+                before = longest;
+                straight = 0.0;
+                next = isOffWall ? LINE_OFF_WALL : LINE_BEHIND;
+                ray = StartRay(RayPoint(ray, longest), isOffWall ? reflect(bent, exit.normal) : -view);
+                reach = isOffWall ? LeaveDomain(ray.start, ray.direction).metres : FAR_BEHIND * ray.front / max(ray.depthStep, 1e-3);
+            }
         }
-        else if (GapBehind(ray, longest) > 2e-3 * ray.front)
+        else if (kind == LINE_OFF_WALL)
         {
-            seen.screen = SeenBehindLayer(ray, longest, view, screen);
+            seen.screen = place;
+            seen.path = before + min(end.metres, inLayer);
         }
+        else if (kind == LINE_BEHIND)
+        {
+            float2 onward = ray.front > _ProjectionParams.y ? RayScreen(ray, 0.0) : screen;
+            seen.screen = most == 0u ? onward : end.isWhole ? screen : place;
+        }
+        else
+        {
+            seen.mirror = float3(place, end.isMet ? PictureShare(place) : 0.0);
+        }
+        if (next == LINE_MIRRORED)
+        {
+            ray = StartRay(world, reflect(-view, normal));
+            float metres = ray.depthStep > 0.0 ? 0.9 * _ProjectionParams.z - ray.front : 0.9 * ray.front;
+            reach = RayInPicture(ray, max(metres, 0.0) / max(abs(ray.depthStep), 1e-3));
+        }
+        kind = next;
     }
     return seen;
 }

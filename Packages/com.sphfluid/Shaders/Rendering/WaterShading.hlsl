@@ -99,26 +99,6 @@ float3 WaterMirror(float3 direction)
     return colour;
 }
 
-// What a point of the surface mirrors: the scene as far as the picture shows it, else the surroundings. share: Fresnel's.
-float3 WaterSurroundings(float3 world, float3 direction, float share)
-{
-    float3 colour = FluidExposed(WaterMirror(direction));
-    [branch]
-    if (_FluidRefractionSteps.w > 0.5 && _FluidScene.x != WATER_SCENE_NONE && share > LEAST_MIRRORED)
-    {
-        WaterRay ray = StartRay(world, direction);
-        float metres = ray.depthStep > 0.0 ? 0.9 * _ProjectionParams.z - ray.front : 0.9 * ray.front;
-        float longest = RayInPicture(ray, max(metres, 0.0) / max(abs(ray.depthStep), 1e-3));
-        MarchEnd end = March(ray, longest, (uint)_FluidRefractionSteps.w);
-        float2 screen = RayScreen(ray, end.metres);
-        float seen = end.isMet ? PictureShare(screen) : 0.0;
-        [branch]
-        if (seen > 0.0)
-            colour = lerp(colour, SceneColour(screen), seen);
-    }
-    return colour;
-}
-
 // Variance of the normal over a pixel.
 float NormalVariance(float3 normal)
 {
@@ -146,15 +126,19 @@ float4 ShadeWater(SurfaceFragment input) : SV_Target
     float all = WaterBehind(input.world, view, alongAxis);
     float water = clamp(SceneEyeDepth(screen) - front, 0.0, all);
     float layer = min(FirstLayer(screen, front), all);
-    SeenThrough seen = SeeThrough(input.world, view, normal, alongAxis, layer, water);
+    float mirrored = FluidFresnel(normal, view, _FluidEmission.w);
+    bool mirrors = _FluidRefractionSteps.w > 0.5 && _FluidScene.x != WATER_SCENE_NONE && mirrored > LEAST_MIRRORED;
+    SeenThrough seen = SeeThrough(input.world, view, normal, alongAxis, layer, water, mirrors);
 
     float3 transmitted = exp(-_FluidExtinction.rgb * seen.path);
     float sun = WaterSun(input.world, normal);
     float3 body = WaterLayer(transmitted, normal, sun);
-    float mirrored = FluidFresnel(normal, view, _FluidEmission.w);
     float3 highlight = FluidHighlight(_Smoothness, normal, view, NormalVariance(normal), _FluidEmission.w) * sun;
-    float3 surface = WaterSurroundings(input.world, reflect(-view, normal), mirrored) * mirrored;
-    float3 colour = FluidExposed(body * (1.0 - mirrored) + highlight) + surface;
+    float3 surroundings = FluidExposed(WaterMirror(reflect(-view, normal)));
+    [branch]
+    if (seen.mirror.z > 0.0)
+        surroundings = lerp(surroundings, SceneColour(seen.mirror.xy), seen.mirror.z);
+    float3 colour = FluidExposed(body * (1.0 - mirrored) + highlight) + surroundings * mirrored;
     float cover = 1.0;
     if (_FluidScene.x == WATER_SCENE_NONE)
         cover = 1.0 - (1.0 - mirrored) * dot(transmitted, 1.0 / 3.0);
