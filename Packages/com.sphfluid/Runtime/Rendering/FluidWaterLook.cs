@@ -189,8 +189,7 @@ namespace SphFluid
                     turned += back / 3f;
                 }
                 float share = 1f - Mathf.Exp(-(lost.x + lost.y + lost.z) / 3f * WayInSpray);
-                Vector4 color = Vector4.Lerp(Vector4.one, body / (1f - turned), share);
-                return color;
+                return Vector4.Lerp(Vector4.one, body / (1f - turned), share);
             }
         }
 

@@ -35,10 +35,7 @@ namespace SphFluid
 
             FluidSolverSettings settings = Settings(spec, start);
             var saved = new SavedStart(settings, start.Particles, collision.Solids);
-            if (spec.SavedStart != null)
-            {
-                if (saved.TryRead(spec.SavedStart.bytes, out FluidParticle[] rested)) return rested;
-            }
+            if (spec.SavedStart != null && saved.TryRead(spec.SavedStart.bytes, out FluidParticle[] rested)) return rested;
             if (isSaved || spec.SavedStart != null)
             {
                 Report(spec, report, FluidSeverity.Info,

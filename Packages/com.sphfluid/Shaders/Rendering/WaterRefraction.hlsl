@@ -161,12 +161,17 @@ SeenThrough SeeThrough(float3 world, float3 view, float3 normal, float alongAxis
         uint most = (uint)(kind == LINE_BEHIND ? _FluidRefractionSteps.y : kind == LINE_MIRRORED ? _FluidRefractionSteps.w
             : _FluidRefractionSteps.x);
         MarchEnd end;
-        end.isMet = false;
-        end.isWhole = GapBehind(ray, longest) >= 0.0;
-        end.metres = end.isWhole ? longest : 0.0;
         [branch]
         if (most > 0u)
+        {
             end = March(ray, longest, most);
+        }
+        else
+        {
+            end.isMet = false;
+            end.isWhole = GapBehind(ray, longest) >= 0.0;
+            end.metres = end.isWhole ? longest : 0.0;
+        }
         float2 place = RayScreen(ray, end.metres);
 
         uint next = mirrors && kind != LINE_MIRRORED ? LINE_MIRRORED : LINE_NONE;
