@@ -11,13 +11,14 @@ float4 _FluidRefractionSteps; // most steps, 0: none. x: through the water; y: b
 
 #define AIR_TO_WATER 0.75 // ratio of the refractive indices, 1 / 1.33
 #define FAR_BEHIND 50.0    // times as far as the camera
+#define NOT_IN_PICTURE -1.0
 #define WALL_CONTACT 0.03 // metres; a scene so near behind a wall is the wall, which mirrors nothing
 
 struct SeenThrough
 {
     float2 screen; // where the scene's colour is
     float path;    // way through water, metres
-    float3 mirror; // xy: where the colour is that the surface mirrors; z: its share, 0: the picture does not show it
+    float2 mirror; // where the colour is that the surface mirrors, or NOT_IN_PICTURE
 };
 
 // Where a line leaves the domain: distance, and the wall's outward normal in world space.
@@ -121,7 +122,7 @@ bool IsMirroredByWall(WaterRay ray, float longest, DomainExit exit)
     bool reaches = exit.metres - longest < 2.0 * _MCCellSize.x;
     float3 inwards = RayPoint(ray, longest) - exit.normal * (2.0 * _FluidReceived.y + _MCCellSize.x);
     return reaches && _FluidRefractionSteps.z > 0.5 && 1.0 - across * across > AIR_TO_WATER * AIR_TO_WATER &&
-        GapBehind(ray, longest) > WALL_CONTACT && IsInLayer(WaterScreen(inwards), WaterEyeDepth(inwards));
+        IsInLayer(WaterScreen(inwards), WaterEyeDepth(inwards));
 }
 
 // Lines that are followed one after the other, by one loop: inlined for each, the march would be most of the shader.
@@ -131,35 +132,68 @@ bool IsMirroredByWall(WaterRay ray, float longest, DomainExit exit)
 #define LINE_MIRRORED 3u // by the surface
 #define LINE_NONE 4u
 
-// What is seen along a line of sight that meets the water at "world".
-// layer: thickness of the nearest layer; water: of all of it before the scene; both metres along the camera's axis.
-// mirrors: whether what the surface mirrors is looked for in the picture.
-SeenThrough SeeThrough(float3 world, float3 view, float3 normal, float alongAxis, float layer, float water, bool mirrors)
+// What is seen along a line of sight that meets the water at "world". mirrors: whether what the surface mirrors is looked for in the
+// picture. Each line is made from nothing but these, so that few registers stay in use while it is followed.
+SeenThrough SeeThrough(float3 world, float3 view, float3 normal, bool mirrors)
 {
     SeenThrough seen;
-    float2 screen = WaterScreen(world);
-    float3 bent = normalize(lerp(-view, refract(-view, normal, AIR_TO_WATER), _Refraction));
-    DomainExit exit = LeaveDomain(world, bent);
-    float others = max(water - layer, 0.0) / alongAxis;
-    seen.screen = screen;
-    seen.path = water / alongAxis;
-    seen.mirror = 0.0;
-
-    WaterRay ray = StartRay(world, bent);
-    float straight = layer / alongAxis;
-    float reach = exit.metres;
-    float before = 0.0; // metres of water before this line
+    seen.screen = 0.0;
+    seen.path = 0.0;
+    seen.mirror = NOT_IN_PICTURE;
+    float longest = 0.0;
     uint kind = LINE_IN_WATER;
     [loop]
     for (uint i = 0; i < 3u && kind != LINE_NONE; i++)
     {
-        float inLayer = reach;
+        float3 bent = normalize(lerp(-view, refract(-view, normal, AIR_TO_WATER), _Refraction));
+        DomainExit exit = LeaveDomain(world, bent);
+        float3 start = kind == LINE_OFF_WALL || kind == LINE_BEHIND ? world + bent * longest : world;
+        float3 direction = kind == LINE_IN_WATER ? bent : -view;
+        if (kind == LINE_OFF_WALL)
+            direction = reflect(bent, exit.normal);
+        else if (kind == LINE_MIRRORED)
+            direction = reflect(-view, normal);
+        WaterRay ray = StartRay(start, direction);
+
+        float inLayer = 0.0;
+        float others = 0.0; // metres of water in further layers
+        bool isOffWall = false;
+        bool isOpen = false; // whether the scene lies behind the layer's end
+        uint most = (uint)_FluidRefractionSteps.x;
         [branch]
         if (kind <= LINE_OFF_WALL)
-            inLayer = LayerLength(ray, straight, reach);
-        float longest = kind == LINE_IN_WATER ? inLayer : reach;
-        uint most = (uint)(kind == LINE_BEHIND ? _FluidRefractionSteps.y : kind == LINE_MIRRORED ? _FluidRefractionSteps.w
-            : _FluidRefractionSteps.x);
+        {
+            float straight = 0.0;
+            if (kind == LINE_IN_WATER)
+            {
+                float alongAxis = dot(view, normalize(unity_MatrixV[2].xyz));
+                float all = WaterBehind(world, view, alongAxis);
+                seen.screen = WaterScreen(world);
+                seen.path = clamp(SceneEyeDepth(seen.screen) - ray.front, 0.0, all) / alongAxis;
+                straight = min(FirstLayer(seen.screen, ray.front), all) / alongAxis;
+                others = max(seen.path - straight, 0.0);
+            }
+            longest = LeaveDomain(start, direction).metres;
+            inLayer = LayerLength(ray, straight, longest);
+            if (kind == LINE_IN_WATER)
+            {
+                longest = inLayer;
+                float gap = GapBehind(ray, longest);
+                isOffWall = gap > WALL_CONTACT && IsMirroredByWall(ray, longest, exit);
+                isOpen = gap > 2e-3 * ray.front;
+            }
+        }
+        else if (kind == LINE_BEHIND)
+        {
+            longest = FAR_BEHIND * ray.front / max(ray.depthStep, 1e-3);
+            most = (uint)_FluidRefractionSteps.y;
+        }
+        else
+        {
+            float metres = ray.depthStep > 0.0 ? 0.9 * _ProjectionParams.z - ray.front : 0.9 * ray.front;
+            longest = RayInPicture(ray, max(metres, 0.0) / max(abs(ray.depthStep), 1e-3));
+            most = (uint)_FluidRefractionSteps.w;
+        }
         MarchEnd end;
         [branch]
         if (most > 0u)
@@ -178,36 +212,31 @@ SeenThrough SeeThrough(float3 world, float3 view, float3 normal, float alongAxis
         if (kind == LINE_IN_WATER)
         {
             seen.screen = place;
-            seen.path = end.isMet ? end.metres : end.isWhole ? longest + others : water / alongAxis;
-            bool isOffWall = end.isWhole && IsMirroredByWall(ray, longest, exit);
-            if (isOffWall || end.isWhole && GapBehind(ray, longest) > 2e-3 * ray.front)
+            seen.path = end.isMet ? end.metres : end.isWhole ? longest + others : seen.path;
+            if (end.isWhole && isOffWall)
             {
-                before = longest;
-                straight = 0.0;
-                next = isOffWall ? LINE_OFF_WALL : LINE_BEHIND;
-                ray = StartRay(RayPoint(ray, longest), isOffWall ? reflect(bent, exit.normal) : -view);
-                reach = isOffWall ? LeaveDomain(ray.start, ray.direction).metres : FAR_BEHIND * ray.front / max(ray.depthStep, 1e-3);
+                seen.path = longest;
+                next = LINE_OFF_WALL;
+            }
+            else if (end.isWhole && isOpen)
+            {
+                next = LINE_BEHIND;
             }
         }
         else if (kind == LINE_OFF_WALL)
         {
             seen.screen = place;
-            seen.path = before + min(end.metres, inLayer);
+            seen.path += min(end.metres, inLayer);
         }
         else if (kind == LINE_BEHIND)
         {
+            float2 screen = WaterScreen(world);
             float2 onward = ray.front > _ProjectionParams.y ? RayScreen(ray, 0.0) : screen;
             seen.screen = most == 0u ? onward : end.isWhole ? screen : place;
         }
-        else
+        else if (end.isMet)
         {
-            seen.mirror = float3(place, end.isMet ? PictureShare(place) : 0.0);
-        }
-        if (next == LINE_MIRRORED)
-        {
-            ray = StartRay(world, reflect(-view, normal));
-            float metres = ray.depthStep > 0.0 ? 0.9 * _ProjectionParams.z - ray.front : 0.9 * ray.front;
-            reach = RayInPicture(ray, max(metres, 0.0) / max(abs(ray.depthStep), 1e-3));
+            seen.mirror = place;
         }
         kind = next;
     }
