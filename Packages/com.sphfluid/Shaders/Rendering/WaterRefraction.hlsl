@@ -132,8 +132,39 @@ bool IsMirroredByWall(WaterRay ray, float longest, DomainExit exit)
 #define LINE_MIRRORED 3u // by the surface
 #define LINE_NONE 4u
 
+// wall, metres: where the line in water ended, which comes first.
+WaterRay StartLine(uint kind, float3 world, float3 view, float3 normal, float3 wall, float metres)
+{
+    float3 bent = normalize(lerp(-view, refract(-view, normal, AIR_TO_WATER), _Refraction));
+    float3 start = kind == LINE_OFF_WALL || kind == LINE_BEHIND ? world + bent * metres : world;
+    float3 direction = kind == LINE_IN_WATER ? bent : -view;
+    if (kind == LINE_OFF_WALL)
+        direction = reflect(bent, wall);
+    else if (kind == LINE_MIRRORED)
+        direction = reflect(-view, normal);
+    return StartRay(start, direction);
+}
+
+// Without steps a line is seen at its end, or where it starts if the scene hides that.
+MarchEnd Follow(WaterRay ray, float longest, uint most)
+{
+    MarchEnd end;
+    [branch]
+    if (most > 0u)
+    {
+        end = March(ray, longest, most);
+    }
+    else
+    {
+        end.isMet = false;
+        end.isWhole = GapBehind(ray, longest) >= 0.0;
+        end.metres = end.isWhole ? longest : 0.0;
+    }
+    return end;
+}
+
 // What is seen along a line of sight that meets the water at "world". mirrors: whether what the surface mirrors is looked for in the
-// picture. Each line is made from nothing but these, so that few registers stay in use while it is followed.
+// picture. Each line is made from nothing but these and the first one's end, so that few registers stay in use while it is followed.
 SeenThrough SeeThrough(float3 world, float3 view, float3 normal, bool mirrors)
 {
     SeenThrough seen;
@@ -141,20 +172,12 @@ SeenThrough SeeThrough(float3 world, float3 view, float3 normal, bool mirrors)
     seen.path = 0.0;
     seen.mirror = NOT_IN_PICTURE;
     float longest = 0.0;
+    float3 wall = 0.0; // its normal, where the line in water ends
     uint kind = LINE_IN_WATER;
     [loop]
     for (uint i = 0; i < 3u && kind != LINE_NONE; i++)
     {
-        float3 bent = normalize(lerp(-view, refract(-view, normal, AIR_TO_WATER), _Refraction));
-        DomainExit exit = LeaveDomain(world, bent);
-        float3 start = kind == LINE_OFF_WALL || kind == LINE_BEHIND ? world + bent * longest : world;
-        float3 direction = kind == LINE_IN_WATER ? bent : -view;
-        if (kind == LINE_OFF_WALL)
-            direction = reflect(bent, exit.normal);
-        else if (kind == LINE_MIRRORED)
-            direction = reflect(-view, normal);
-        WaterRay ray = StartRay(start, direction);
-
+        WaterRay ray = StartLine(kind, world, view, normal, wall, longest);
         float inLayer = 0.0;
         float others = 0.0; // metres of water in further layers
         bool isOffWall = false;
@@ -166,14 +189,16 @@ SeenThrough SeeThrough(float3 world, float3 view, float3 normal, bool mirrors)
             float straight = 0.0;
             if (kind == LINE_IN_WATER)
             {
-                float alongAxis = dot(view, normalize(unity_MatrixV[2].xyz));
+                float alongAxis = dot(view, unity_MatrixV[2].xyz);
                 float all = WaterBehind(world, view, alongAxis);
                 seen.screen = WaterScreen(world);
                 seen.path = clamp(SceneEyeDepth(seen.screen) - ray.front, 0.0, all) / alongAxis;
                 straight = min(FirstLayer(seen.screen, ray.front), all) / alongAxis;
                 others = max(seen.path - straight, 0.0);
             }
-            longest = LeaveDomain(start, direction).metres;
+            DomainExit exit = LeaveDomain(ray.start, ray.direction);
+            wall = exit.normal;
+            longest = exit.metres;
             inLayer = LayerLength(ray, straight, longest);
             if (kind == LINE_IN_WATER)
             {
@@ -194,18 +219,7 @@ SeenThrough SeeThrough(float3 world, float3 view, float3 normal, bool mirrors)
             longest = RayInPicture(ray, max(metres, 0.0) / max(abs(ray.depthStep), 1e-3));
             most = (uint)_FluidRefractionSteps.w;
         }
-        MarchEnd end;
-        [branch]
-        if (most > 0u)
-        {
-            end = March(ray, longest, most);
-        }
-        else
-        {
-            end.isMet = false;
-            end.isWhole = GapBehind(ray, longest) >= 0.0;
-            end.metres = end.isWhole ? longest : 0.0;
-        }
+        MarchEnd end = Follow(ray, longest, most);
         float2 place = RayScreen(ray, end.metres);
 
         uint next = mirrors && kind != LINE_MIRRORED ? LINE_MIRRORED : LINE_NONE;
