@@ -180,8 +180,7 @@ SeenThrough SeeThrough(float3 world, float3 view, float3 normal, bool mirrors)
         WaterRay ray = StartLine(kind, world, view, normal, wall, longest);
         float inLayer = 0.0;
         float others = 0.0; // metres of water in further layers
-        bool isOffWall = false;
-        bool isOpen = false; // whether the scene lies behind the layer's end
+        uint onward = LINE_NONE;
         uint most = (uint)_FluidRefractionSteps.x;
         [branch]
         if (kind <= LINE_OFF_WALL)
@@ -204,8 +203,12 @@ SeenThrough SeeThrough(float3 world, float3 view, float3 normal, bool mirrors)
             {
                 longest = inLayer;
                 float gap = GapBehind(ray, longest);
-                isOffWall = gap > WALL_CONTACT && IsMirroredByWall(ray, longest, exit);
-                isOpen = gap > 2e-3 * ray.front;
+                onward = gap > 2e-3 * ray.front ? LINE_BEHIND : LINE_NONE;
+                if (gap > WALL_CONTACT && IsMirroredByWall(ray, longest, exit))
+                {
+                    onward = LINE_OFF_WALL;
+                    others = 0.0;
+                }
             }
         }
         else if (kind == LINE_BEHIND)
@@ -215,8 +218,8 @@ SeenThrough SeeThrough(float3 world, float3 view, float3 normal, bool mirrors)
         }
         else
         {
-            float metres = ray.depthStep > 0.0 ? 0.9 * _ProjectionParams.z - ray.front : 0.9 * ray.front;
-            longest = RayInPicture(ray, max(metres, 0.0) / max(abs(ray.depthStep), 1e-3));
+            float deep = ray.depthStep > 0.0 ? 0.9 * _ProjectionParams.z - ray.front : 0.9 * ray.front;
+            longest = RayInPicture(ray, max(deep, 0.0) / max(abs(ray.depthStep), 1e-3));
             most = (uint)_FluidRefractionSteps.w;
         }
         MarchEnd end = Follow(ray, longest, most);
@@ -227,15 +230,7 @@ SeenThrough SeeThrough(float3 world, float3 view, float3 normal, bool mirrors)
         {
             seen.screen = place;
             seen.path = end.isMet ? end.metres : end.isWhole ? longest + others : seen.path;
-            if (end.isWhole && isOffWall)
-            {
-                seen.path = longest;
-                next = LINE_OFF_WALL;
-            }
-            else if (end.isWhole && isOpen)
-            {
-                next = LINE_BEHIND;
-            }
+            next = end.isWhole && onward != LINE_NONE ? onward : next;
         }
         else if (kind == LINE_OFF_WALL)
         {

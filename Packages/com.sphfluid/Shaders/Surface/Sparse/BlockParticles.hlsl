@@ -233,15 +233,6 @@ void ClearMasks(uint load, uint thread)
     }
 }
 
-#if !defined(SURFACE_ANISOTROPIC)
-// From the middle of a particle to its first kernel.
-float3 StretchOf(uint j)
-{
-    precise const float3 stretch = _LongestStretch * UnpackStretch(_Spray[j].y);
-    return stretch;
-}
-#endif
-
 void StoreKernel(uint place, float3 centre, float weight)
 {
     const uint4 words = asuint(float4(centre, weight));
@@ -263,7 +254,7 @@ void LoadParticle(PatchReach reach, uint j, uint turns, uint load, uint place)
     [branch]
     if (particle.w < 0.0)
     {
-        apart = abs(StretchOf(j)) * reach.rate;
+        apart = abs(UnpackStretch(_Spray[j].y)) * (_LongestStretch * reach.rate);
     }
 #endif
     const int3 lower = int3(ceil(max(patch - apart - reach.low, 0.0)));
@@ -292,8 +283,9 @@ void LoadParticle(PatchReach reach, uint j, uint turns, uint load, uint place)
         [branch]
         if (particle.w < 0.0)
         {
-            precise const float3 first = centre + StretchOf(j);
-            precise const float3 second = centre - StretchOf(j);
+            const float3 stretch = UnpackStretch(_Spray[j].y);
+            precise const float3 first = centre + _LongestStretch * stretch;
+            precise const float3 second = centre - _LongestStretch * stretch;
             StoreKernel(place, first, particle.w);
             StoreKernel(place + LOAD_SIZE, second, -particle.w);
         }
@@ -338,32 +330,11 @@ uint4 MaskOf(uint load, int3 patch)
         pool[x + 2u] & pool[y + 2u] & pool[z + 2u], pool[x + 3u] & pool[y + 3u] & pool[z + 3u]);
 }
 
-uint LowestWord(uint4 mask)
+// Of a mask the first word with a bit, and what that word holds. Worked example: of (0, 12, 0, 1), (1, 12).
+uint2 FirstWord(uint4 mask)
 {
-    return mask.x != 0u ? 0u : (mask.y != 0u ? 1u : (mask.z != 0u ? 2u : 3u));
-}
-
-uint LowestBits(uint4 mask)
-{
-    return mask.x != 0u ? mask.x : (mask.y != 0u ? mask.y : (mask.z != 0u ? mask.z : mask.w));
-}
-
-// Worked example: of (0, 12, 0, 1), 34 = 32 + 2.
-uint LowestBit(uint4 mask)
-{
-    return 32u * LowestWord(mask) + firstbitlow(LowestBits(mask));
-}
-
-// Worked example: (0, 12, 0, 1) becomes (0, 8, 0, 1).
-void TakeLowestBit(inout uint4 mask, bool isTaken)
-{
-    const uint word = LowestWord(mask);
-    const uint bits = LowestBits(mask);
-    const uint rest = isTaken ? bits & (bits - 1u) : bits;
-    mask.x = word == 0u ? rest : mask.x;
-    mask.y = word == 1u ? rest : mask.y;
-    mask.z = word == 2u ? rest : mask.z;
-    mask.w = word == 3u ? rest : mask.w;
+    const uint word = mask.x != 0u ? 0u : (mask.y != 0u ? 1u : (mask.z != 0u ? 2u : 3u));
+    return uint2(word, mask.x != 0u ? mask.x : (mask.y != 0u ? mask.y : (mask.z != 0u ? mask.z : mask.w)));
 }
 
 #endif

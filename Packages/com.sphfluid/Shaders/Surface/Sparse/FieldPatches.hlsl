@@ -66,11 +66,13 @@ void AddLoad(uint load, int3 patch, PatchPlaces places, inout float3 sums[PATCH_
     uint behind = 0u;
     while ((mask.x | mask.y | mask.z | mask.w) != 0u)
     {
-        const uint place = LowestBit(mask);
+        const uint2 word = FirstWord(mask);
+        const uint place = 32u * word.x + firstbitlow(word.y);
         const float4 kernel = LoadedKernel(place + behind);
         const bool hasSecond = KERNELS == 2 && kernel.w < 0.0;
         behind = hasSecond ? LOAD_SIZE : 0u;
-        TakeLowestBit(mask, !hasSecond);
+        const uint rest = hasSecond ? word.y : word.y & (word.y - 1u);
+        mask = word.x == uint4(0u, 1u, 2u, 3u) ? rest : mask;
         AddKernel(kernel, place, places, sums);
     }
 }
