@@ -63,37 +63,10 @@ float LayerLeft(WaterRay ray, float metres)
     return SmoothFirstLayerEnd(RayScreen(ray, metres)) - RayDepth(ray, metres);
 }
 
-// How far a line runs in the nearest layer, whose faces are known along lines of sight: ever longer steps go on while they stay in it, the
-// last one is halved, and the layer's far face there ends the line. Without steps, and where the layer has no far face, it is as long as
-// "straight".
-float LayerLength(WaterRay ray, float straight, float toWall)
+// Where the layer's far face crosses a line, by its last point within and its first beyond; by the first and the last within where the
+// other is hidden or not in sight.
+float LayerEnd(WaterRay ray, float within, float beyond, float toWall)
 {
-    uint tries = (uint)_FluidRefractionSteps.x / 3u;
-    float within = 0.0;
-    float beyond = toWall;
-    float metres = max(straight, _MCCellSize.x);
-    [loop]
-    for (uint i = 0; i < tries + 2u && metres < toWall; i++)
-    {
-        if (!IsInLayer(ray, metres))
-        {
-            beyond = metres;
-            break;
-        }
-        within = metres;
-        metres *= 2.0;
-    }
-    bool reachesWall = beyond >= toWall && IsInLayer(ray, toWall);
-    [loop]
-    for (uint j = 0; j < tries && !reachesWall; j++)
-    {
-        float middle = 0.5 * (within + beyond);
-        if (IsInLayer(ray, middle))
-            within = middle;
-        else
-            beyond = middle;
-    }
-    // Where the face crosses the line, by the last two points; by the first and the last before where the other is hidden or not in sight.
     float2 last = RayScreen(ray, beyond);
     bool isInPicture = all(last == saturate(last));
     float before = LayerLeft(ray, within);
@@ -109,18 +82,58 @@ float LayerLength(WaterRay ray, float straight, float toWall)
         ended = first > before ? within * first / (first - before) : beyond;
         ended = clamp(ended, 0.0, isInPicture ? beyond : toWall);
     }
-    ended = FirstLayerEnd(RayScreen(ray, within)) < 0.0 ? straight : max(ended, 0.0);
-    bool isOpen = FirstLayerEnd(RayScreen(ray, 0.0)) < 0.0;
-    return tries == 0u || isOpen ? min(straight, toWall) : reachesWall ? toWall : ended;
+    return max(ended, 0.0);
+}
+
+// How far a line runs in the nearest layer, whose faces are known along lines of sight: ever longer steps go on while they stay in it, the
+// last one is halved, and the layer's far face there ends the line. Without steps, and where the layer has no far face, it is as long as
+// "straight".
+float LayerLength(WaterRay ray, float straight, float toWall)
+{
+    uint tries = (uint)_FluidRefractionSteps.x / 3u;
+    float ended = min(straight, toWall);
+    [branch]
+    if (tries > 0u && FirstLayerEnd(RayScreen(ray, 0.0)) >= 0.0)
+    {
+        float within = 0.0;
+        float beyond = toWall;
+        float metres = max(straight, _MCCellSize.x);
+        [loop]
+        for (uint i = 0; i < tries + 2u && metres < toWall; i++)
+        {
+            if (!IsInLayer(ray, metres))
+            {
+                beyond = metres;
+                break;
+            }
+            within = metres;
+            metres *= 2.0;
+        }
+        bool reachesWall = beyond >= toWall && IsInLayer(ray, toWall);
+        [loop]
+        for (uint j = 0; j < tries && !reachesWall; j++)
+        {
+            float middle = 0.5 * (within + beyond);
+            if (IsInLayer(ray, middle))
+                within = middle;
+            else
+                beyond = middle;
+        }
+        ended = toWall;
+        [branch]
+        if (!reachesWall)
+            ended = FirstLayerEnd(RayScreen(ray, within)) < 0.0 ? straight : LayerEnd(ray, within, beyond, toWall);
+    }
+    return ended;
 }
 
 // A pane at the side of a tank mirrors what meets it at less than the critical angle: sin of the angle to the normal above 0.75. On a film,
 // up to two spacings thick, the particles' bumps would show all that stands round the tank in pieces.
-bool IsMirroredByWall(WaterRay ray, float longest, DomainExit exit)
+bool IsMirroredByWall(float3 end, float3 direction, float toWall, float3 wall)
 {
-    float across = dot(ray.direction, exit.normal);
-    bool reaches = exit.metres - longest < 2.0 * _MCCellSize.x;
-    float3 inwards = RayPoint(ray, longest) - exit.normal * (2.0 * _FluidReceived.y + _MCCellSize.x);
+    float across = dot(direction, wall);
+    bool reaches = toWall < 2.0 * _MCCellSize.x;
+    float3 inwards = end - wall * (2.0 * _FluidReceived.y + _MCCellSize.x);
     return reaches && _FluidRefractionSteps.z > 0.5 && 1.0 - across * across > AIR_TO_WATER * AIR_TO_WATER &&
         IsInLayer(WaterScreen(inwards), WaterEyeDepth(inwards));
 }
@@ -193,7 +206,6 @@ SeenThrough SeeThrough(float3 world, float3 view, float3 normal, bool mirrors)
                 seen.screen = WaterScreen(world);
                 seen.path = clamp(SceneEyeDepth(seen.screen) - ray.front, 0.0, all) / alongAxis;
                 straight = min(FirstLayer(seen.screen, ray.front), all) / alongAxis;
-                others = max(seen.path - straight, 0.0);
             }
             DomainExit exit = LeaveDomain(ray.start, ray.direction);
             wall = exit.normal;
@@ -203,12 +215,12 @@ SeenThrough SeeThrough(float3 world, float3 view, float3 normal, bool mirrors)
             {
                 longest = inLayer;
                 float gap = GapBehind(ray, longest);
-                onward = gap > 2e-3 * ray.front ? LINE_BEHIND : LINE_NONE;
-                if (gap > WALL_CONTACT && IsMirroredByWall(ray, longest, exit))
-                {
+                float3 last = world + ray.direction * longest;
+                if (gap > WALL_CONTACT && IsMirroredByWall(last, ray.direction, exit.metres - longest, wall))
                     onward = LINE_OFF_WALL;
-                    others = 0.0;
-                }
+                else if (gap > 2e-3 * ray.front)
+                    onward = LINE_BEHIND;
+                others = onward == LINE_OFF_WALL ? 0.0 : max(seen.path - straight, 0.0);
             }
         }
         else if (kind == LINE_BEHIND)
