@@ -120,24 +120,19 @@ float4 ShadeWater(SurfaceFragment input) : SV_Target
     EYE_OF(input)
     float3 view = WaterView(input.world);
     float3 normal = SurfaceNormal(input);
-    float alongAxis = dot(view, normalize(unity_MatrixV[2].xyz));
-    float front = WaterEyeDepth(input.world);
-    float2 screen = WaterScreen(input.world);
-    float all = WaterBehind(input.world, view, alongAxis);
-    float water = clamp(SceneEyeDepth(screen) - front, 0.0, all);
-    float layer = min(FirstLayer(screen, front), all);
     float mirrored = FluidFresnel(normal, view, _FluidEmission.w);
     bool mirrors = _FluidRefractionSteps.w > 0.5 && _FluidScene.x != WATER_SCENE_NONE && mirrored > LEAST_MIRRORED;
-    SeenThrough seen = SeeThrough(input.world, view, normal, alongAxis, layer, water, mirrors);
+    SeenThrough seen = SeeThrough(input.world, view, normal, mirrors);
 
     float3 transmitted = exp(-_FluidExtinction.rgb * seen.path);
     float sun = WaterSun(input.world, normal);
     float3 body = WaterLayer(transmitted, normal, sun);
     float3 highlight = FluidHighlight(_Smoothness, normal, view, NormalVariance(normal), _FluidEmission.w) * sun;
     float3 surroundings = FluidExposed(WaterMirror(reflect(-view, normal)));
+    float share = PictureShare(seen.mirror);
     [branch]
-    if (seen.mirror.z > 0.0)
-        surroundings = lerp(surroundings, SceneColour(seen.mirror.xy), seen.mirror.z);
+    if (share > 0.0)
+        surroundings = lerp(surroundings, SceneColour(seen.mirror), share);
     float3 colour = FluidExposed(body * (1.0 - mirrored) + highlight) + surroundings * mirrored;
     float cover = 1.0;
     if (_FluidScene.x == WATER_SCENE_NONE)
