@@ -43,7 +43,7 @@ namespace SphFluid
         private Color emission = Color.black;
 
         [SerializeField, Range(WaterReflectance, 1f),
-            Tooltip("Share of the light that its surface mirrors seen at a right angle. 0.02: water; 0.04: honey; 0.8: liquid metal.")]
+            Tooltip("Share of the light that its surface mirrors head-on. 0.02: water; 0.04: honey; 0.8: liquid metal.")]
         private float reflectance = WaterReflectance;
 
         [SerializeField, Range(0f, 1f), Tooltip("How much the scene behind is displaced. 1: as much as by water.")]
@@ -66,12 +66,12 @@ namespace SphFluid
 
         [SerializeField, Range(0, MostDrops),
             Tooltip(
-                "Small drops that a particle far from others is drawn as. 0: it stays in the surface, as a ball of water. More: finer " +
-                "spray that costs more.")]
+                "Number of small drops that a lone particle is drawn as. 0: it stays in the surface, as a ball of water. More: finer, " +
+                "more expensive spray.")]
         private int spray = 14;
 
         [SerializeField, Range(0f, 0.02f),
-            Tooltip("How long the camera's shutter is open for spray [s]: fast drops are drawn as streaks of the way they go in it.")]
+            Tooltip("How long the camera's shutter is open for spray [s]: fast drops are drawn as streaks along their way.")]
         private float sprayShutter = 1f / 400f;
 
         /// <summary>Most drops of <see cref="Spray"/>.</summary>
