@@ -95,8 +95,8 @@ namespace SphFluid
         public Color Scattering { get => Limits.Finite(scattering); set => scattering = value; }
 
         /// <summary>
-        /// Light that it gives off by itself where it is thick, with values above 1 for what shines; black by default. It lights nothing
-        /// else. Not a number counts as 0.
+        /// Light that it gives off by itself where it is thick, with values above 1 for what shines; black by default. Liquid of a short
+        /// sight has a skin and gives off less where it lies flat. It lights nothing else. Not a number counts as 0.
         /// </summary>
         public Color Emission { get => Limits.Finite(emission); set => emission = value; }
 
@@ -190,6 +190,19 @@ namespace SphFluid
                 }
                 float share = 1f - Mathf.Exp(-(lost.x + lost.y + lost.z) / 3f * WayInSpray);
                 return Vector4.Lerp(Vector4.one, body / (1f - turned), share);
+            }
+        }
+
+        /// <summary>Light that drops and mist give off: <see cref="Emission"/>, as much as a layer as thick as a drop does.</summary>
+        internal Vector4 SprayGlow
+        {
+            get
+            {
+                Vector4 given = Surface;
+                Vector4 lost = Extinction;
+                Vector4 glow = Vector4.zero;
+                for (int c = 0; c < 3; c++) glow[c] = given[c] * (1f - Mathf.Exp(-lost[c] * WayInSpray));
+                return glow;
             }
         }
 
