@@ -20,6 +20,9 @@ namespace SphFluid
         private const int Side = 256;
         private const int Border = 4;
 
+        // A texel in spacings: the surface's cells are as large.
+        private const float Texel = 0.75f;
+
         // Light that comes more level than this, as the cosine to the vertical, makes none.
         private const float LeastHeight = 0.1f;
 
@@ -71,7 +74,7 @@ namespace SphFluid
             isMapped = true;
             if (map == null) map = NewMap();
             float reach = placement.WorldBounds.extents.magnitude;
-            float texel = Mathf.Max(placement.Spacing, 2f * reach / (Side - 2 * Border));
+            float texel = Mathf.Max(Texel * placement.Spacing, 2f * reach / (Side - 2 * Border));
             int used = Mathf.Min(Mathf.CeilToInt(2f * reach / texel) + 2 * Border, Side);
             float half = 0.5f * used * texel;
             Vector3 middle = placement.WorldBounds.center, toLight = ToLight;

@@ -8,9 +8,10 @@
 
 Texture2D<float4> _CausticsMap;
 float4 _FluidExtinction; // rgb: light lost per metre [1/m]
+float4 _FluidScattering; // rgb: share of that which is scattered
 
 #define COARSE_LEVEL 2.0 // of the map: waves that turn all light around a point aside
-#define REACH 3          // texels that light is looked for around where it comes from on the whole
+#define REACH 4          // texels that light is looked for around where it comes from on the whole
 #define MOST_GAIN 4.0
 #define FADE_SPACINGS 2.0 // beyond the domain, over which it ends
 
@@ -129,8 +130,8 @@ float4 GatherLight(DomainFragment input) : SV_Target
         float3 normal = dot(face, face) > 0.0 ? normalize(face) : float3(0.0, 1.0, 0.0);
         normal *= dot(normal, WaterView(world)) < 0.0 ? -1.0 : 1.0;
         float focus = min(Gather(place, origin.xy, height), MOST_GAIN) - 1.0;
-        float3 left = exp(-_FluidExtinction.rgb * origin.z);
-        gain += _CausticsStrength.x * share * saturate(2.0 * origin.w) * focus * left * MainLightShare(world, normal);
+        float3 left = exp(-_FluidExtinction.rgb * _FluidScattering.rgb * origin.z); // what is absorbed is missing everywhere alike
+        gain += _CausticsStrength.x * share * saturate(4.0 * origin.w - 3.0) * focus * left * MainLightShare(world, normal);
     }
     return float4(0.5 * gain, 1.0);
 }

@@ -13,6 +13,7 @@ namespace SphFluid.Tests
         private const int Size = WaterRig.Size;
         private const float Floor = -0.4f;
         private const float WaveNumber = 2f * Mathf.PI / 0.25f; // four waves across the domain
+        private const double Texel = 0.75 * WaterRig.Spacing;
         private const double Index = 1.0 / 0.75;
 
         private static readonly Vector3 Above = Vector3.up;
@@ -42,18 +43,24 @@ namespace SphFluid.Tests
                 (point, gain) => Assert.AreEqual(1f, gain.g, 2e-3f, $"at {point}"));
         }
 
-        // Crests are lenses: 5 mm gather light 0.4 m below them, 20 mm do so above the floor, where its rays cross.
-        [TestCase(0.005f)]
-        [TestCase(0.02f)]
-        public void WavesGatherAsMuchLightAsSnellsLawSays(float amplitude)
+        // Crests are lenses: 5 mm gather light towards a line below the floor, 20 mm above it, so that rays cross. A wave has thirteen
+        // texels of the map.
+        [TestCase(0.005f, 0.02f)]
+        [TestCase(0.02f, 0.2f)]
+        public void WavesGatherAsMuchLightAsSnellsLawSays(float amplitude, float tolerance)
         {
             Waves(amplitude);
+            double squares = 0.0;
+            int count = 0;
             float most = 0f;
             ForEach(rig.RenderCaustics(Above, Color.white), 0.3f, (point, gain) =>
             {
-                Assert.AreEqual(Arriving(point.x, amplitude), gain.g, 0.05f, $"at {point}");
+                double off = gain.g - Arriving(point.x, amplitude);
+                squares += off * off;
+                count++;
                 most = Mathf.Max(most, gain.g);
             });
+            Assert.Less(Math.Sqrt(squares / count), tolerance, "root of the mean square");
             Assert.Greater(most, 1.25f);
         }
 
@@ -97,16 +104,18 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void TurbidWaterLeavesLittleOfThem()
+        public void WhatIsScatteredIsMissingAndWhatIsAbsorbedIsNot()
         {
             Waves(0.005f);
             Color[] clear = rig.RenderCaustics(Above, Color.white);
             rig.Look.ColorAtOneMetre = new Color(0.1f, 0.5f, 1f);
+            rig.Look.Visibility = 2f;
+            rig.Look.Scattering = new Color(1f, 0.5f, 0f);
             Color[] tinted = rig.RenderCaustics(Above, Color.white);
             int brightest = Enumerable.Range(0, clear.Length).OrderByDescending(i => clear[i].g).First();
             for (int c = 0; c < 3; c++)
             {
-                float left = Mathf.Exp(Floor * rig.Look.Extinction[c]);
+                float left = Mathf.Exp(Floor * rig.Look.Extinction[c] * rig.Look.Albedo[c]);
                 Assert.AreEqual(1f + (clear[brightest][c] - 1f) * left, tinted[brightest][c], 0.02f, $"channel {c}");
             }
         }
@@ -157,7 +166,7 @@ namespace SphFluid.Tests
             return start + sight * ((height - start.y) / sight.y);
         }
 
-        // Light from above around a place of the floor, to that without waves: by the spline of three spacings that the picture is made with.
+        // Light from above around a place of the floor, to that without waves: by the spline of three texels that the picture is made with.
         private static double Arriving(double place, double amplitude)
         {
             const double step = 1e-4;
@@ -167,10 +176,10 @@ namespace SphFluid.Tests
                 double tilt = Math.Atan(amplitude * WaveNumber * Math.Sin(WaveNumber * x));
                 double aside = Math.Tan(Math.Asin(Math.Sin(tilt) / Index) - tilt);
                 double hit = x + aside * (amplitude * Math.Cos(WaveNumber * x) - Floor);
-                double away = Math.Abs(hit - place) / WaterRig.Spacing;
+                double away = Math.Abs(hit - place) / Texel;
                 sum += away < 0.5 ? 0.75 - away * away : 0.5 * Math.Pow(Math.Max(1.5 - away, 0.0), 2);
             }
-            return sum * step / WaterRig.Spacing;
+            return sum * step / Texel;
         }
     }
 }
