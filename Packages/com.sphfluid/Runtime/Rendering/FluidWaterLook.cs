@@ -55,6 +55,10 @@ namespace SphFluid
         [SerializeField, Range(0f, 1f), Tooltip("How dark its shadow is. Low values suit clear water, which lets most light through.")]
         private float shadow = 0.25f;
 
+        [SerializeField, Range(0f, 1f),
+            Tooltip("Bright lines of sunlight that waves gather on what stands in the water. 1: as in nature; 0: none, at no cost.")]
+        private float caustics;
+
         [SerializeField,
             Tooltip(
                 "How closely light is followed through the water. Fast: bent once. Balanced: followed to what it meets. Fine: in small " +
@@ -111,6 +115,12 @@ namespace SphFluid
 
         /// <summary>How much of the light its shadow takes away, 0 to 1.</summary>
         public float Shadow { get => Limits.Clamp(shadow, 0f, 1f); set => shadow = value; }
+
+        /// <summary>
+        /// How strong the bright lines are that waves gather of the main light on opaque things in the water, 0 to 1; 0, none and at no
+        /// cost, by default.
+        /// </summary>
+        public float Caustics { get => Limits.Clamp(caustics, 0f, 1f); set => caustics = value; }
 
         /// <summary>How closely light is followed through the water.</summary>
         public FluidWaterQuality Quality { get => Limits.Known(quality); set => quality = value; }
