@@ -11,6 +11,7 @@ namespace SphFluid
     internal sealed class UniversalSceneTextures : ISceneTextureSource
     {
         private BehindWaterPass pass;
+        private CausticsPass caustics;
 
         public RendererLimit Limit => LimitOf((GraphicsSettings.currentRenderPipeline as UniversalRenderPipelineAsset)?.scriptableRenderer);
 
@@ -19,6 +20,7 @@ namespace SphFluid
             ScriptableRenderer renderer = camera.GetUniversalAdditionalCameraData().scriptableRenderer;
             if (renderer == null || LimitOf(renderer) != RendererLimit.None) return default;
             renderer.EnqueuePass(pass ??= new BehindWaterPass());
+            if (WaterCaustics.AreSeenBy(camera)) renderer.EnqueuePass(caustics ??= new CausticsPass());
             return new SceneTextures(SceneColourSource.OpaqueTexture, true);
         }
 

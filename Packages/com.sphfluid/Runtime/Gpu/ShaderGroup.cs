@@ -20,7 +20,7 @@ namespace SphFluid
         public static readonly ShaderGroup Drawing = new ShaderGroup("the drawing", "Shaders/Rendering",
             groupThreads: 0, buffers: 0, writableBuffers: 0, groupMemory: 0, vertexBuffers: 1,
             "SPH Fluid/Particles", "SPH Fluid/Surface", "SPH Fluid/Water", "Hidden/SPH Fluid/Water Thickness",
-            "Hidden/SPH Fluid/Water Depth",
+            "Hidden/SPH Fluid/Water Depth", "Hidden/SPH Fluid/Caustics",
             "Hidden/SPH Fluid/Water From Within", "Hidden/SPH Fluid/Spray", "Hidden/SPH Fluid/Spray Behind Water",
             "Hidden/SPH Fluid/Shadow Constants");
 

@@ -26,11 +26,12 @@ namespace SphFluid
         }
 
         /// <summary>
-        /// Records what a camera that is about to draw copies: its picture so far, and the spray and whitewater that it sees.
+        /// Records what a camera that is about to draw copies: its picture so far with caustics, and the spray and whitewater that it sees.
         /// </summary>
         public void RecordCopy(Camera camera)
         {
             copy.Clear();
+            WaterCaustics.Record(copy, camera);
             var target = new RenderTargetIdentifier(RenderShaderIds.FluidSceneColour);
             if (EyeDraws.TryGetPicture(camera, out RenderTextureDescriptor both))
             {

@@ -55,6 +55,10 @@ namespace SphFluid
         [SerializeField, Range(0f, 1f), Tooltip("How dark its shadow is. Low values suit clear water, which lets most light through.")]
         private float shadow = 0.25f;
 
+        [SerializeField, Range(0f, 1f),
+            Tooltip("Bright lines of sunlight that waves gather on what stands in the water. 1: as in nature; 0: none, at no cost.")]
+        private float caustics;
+
         [SerializeField,
             Tooltip(
                 "How closely light is followed through the water. Fast: bent once. Balanced: followed to what it meets. Fine: in small " +
@@ -95,8 +99,8 @@ namespace SphFluid
         public Color Scattering { get => Limits.Finite(scattering); set => scattering = value; }
 
         /// <summary>
-        /// Light that it gives off by itself where it is thick, with values above 1 for what shines; black by default. It lights nothing
-        /// else. Not a number counts as 0.
+        /// Light that it gives off by itself where it is thick, with values above 1 for what shines; black by default. Liquid of a short
+        /// sight has a skin and gives off less where it lies flat. It lights nothing else. Not a number counts as 0.
         /// </summary>
         public Color Emission { get => Limits.Finite(emission); set => emission = value; }
 
@@ -111,6 +115,12 @@ namespace SphFluid
 
         /// <summary>How much of the light its shadow takes away, 0 to 1.</summary>
         public float Shadow { get => Limits.Clamp(shadow, 0f, 1f); set => shadow = value; }
+
+        /// <summary>
+        /// How strong the bright lines are that waves gather of the main light on opaque things in the water, 0 to 1; 0, none and at no
+        /// cost, by default.
+        /// </summary>
+        public float Caustics { get => Limits.Clamp(caustics, 0f, 1f); set => caustics = value; }
 
         /// <summary>How closely light is followed through the water.</summary>
         public FluidWaterQuality Quality { get => Limits.Known(quality); set => quality = value; }
@@ -190,6 +200,19 @@ namespace SphFluid
                 }
                 float share = 1f - Mathf.Exp(-(lost.x + lost.y + lost.z) / 3f * WayInSpray);
                 return Vector4.Lerp(Vector4.one, body / (1f - turned), share);
+            }
+        }
+
+        /// <summary>Light that drops and mist give off: <see cref="Emission"/>, as much as a layer as thick as a drop does.</summary>
+        internal Vector4 SprayGlow
+        {
+            get
+            {
+                Vector4 given = Surface;
+                Vector4 lost = Extinction;
+                Vector4 glow = Vector4.zero;
+                for (int c = 0; c < 3; c++) glow[c] = given[c] * (1f - Mathf.Exp(-lost[c] * WayInSpray));
+                return glow;
             }
         }
 

@@ -170,6 +170,7 @@ namespace SphFluid
             cmd.SetGlobalVector(RenderShaderIds.FluidScene, scene.ToVector());
             cmd.SetGlobalVector(RenderShaderIds.FluidThicknessView, new Vector4(size.x, size.y, 0f, 0f));
             RecordThickness(cmd, camera, CameraViews.Of(camera));
+            if (scene.Depth) WaterCaustics.RecordMaps(cmd, camera);
             return true;
         }
 

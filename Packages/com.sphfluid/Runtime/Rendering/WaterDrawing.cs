@@ -8,14 +8,17 @@ namespace SphFluid
     {
         private readonly ThicknessPass thickness;
         private readonly SprayDrawing spray;
+        private readonly FluidShaderSet shaders;
         private readonly SceneReflection reflection = new SceneReflection();
         private Material depth;
         private Material within;
+        private CausticsDrawing caustics;
 
         /// <exception cref="FluidDeviceException">A shader is missing, or the device cannot run it.</exception>
         public WaterDrawing(FluidShaderSet shaders)
             : base(shaders, "SPH Fluid/Water")
         {
+            this.shaders = shaders;
             try
             {
                 depth = DrawMaterial.Create(shaders, "Hidden/SPH Fluid/Water Depth");
@@ -37,6 +40,9 @@ namespace SphFluid
         /// <summary>What draws the water for a camera in it.</summary>
         public Material Within => within;
 
+        /// <summary>Its caustics; null without.</summary>
+        public CausticsDrawing Caustics => caustics;
+
         /// <summary>The thickness picture.</summary>
         public ThicknessPass Thickness => thickness;
 
@@ -52,6 +58,7 @@ namespace SphFluid
             Block.SetVector(RenderShaderIds.FluidScattering, scattering);
             Block.SetVector(RenderShaderIds.FluidEmission, look.Surface);
             Block.SetVector(RenderShaderIds.FluidRefractionSteps, look.RefractionSteps);
+            SetCaustics(surface, look.Caustics, placement);
         }
 
         /// <summary>Sets refraction, smoothness and shadow, where no material of the user's does.</summary>
@@ -77,6 +84,18 @@ namespace SphFluid
             if (WaterCameras.AnyIsNear(thickness)) DrawUnlit(within, surface, placement);
         }
 
+        private void SetCaustics(in SurfaceBuffers surface, float strength, in DrawPlacement placement)
+        {
+            if (strength > 0f)
+            {
+                caustics = caustics ?? new CausticsDrawing(shaders);
+                caustics.Prepare(surface, Block, placement, strength);
+                return;
+            }
+            caustics?.Dispose();
+            caustics = null;
+        }
+
         // One of the passes beside the water's own, which alone casts its shadow.
         private void DrawUnlit(Material material, in SurfaceBuffers surface, in DrawPlacement placement)
         {
@@ -94,6 +113,7 @@ namespace SphFluid
                 thickness.Dispose();
             }
             spray?.Dispose();
+            caustics?.Dispose();
             OwnedObject.Destroy(ref depth);
             OwnedObject.Destroy(ref within);
             base.Dispose();

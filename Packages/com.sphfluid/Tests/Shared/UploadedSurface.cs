@@ -47,6 +47,21 @@ namespace SphFluid.Tests
             return this;
         }
 
+        /// <summary>Adds a surface seen from above, over a square around the origin: height and normal go by x.</summary>
+        public UploadedSurface Waves(float width, int strips, Func<float, float> height, Func<float, Vector3> normal)
+        {
+            uint first = (uint)positions.Count;
+            for (uint i = 0; i <= strips; i++)
+            {
+                float x = width * (i / (float)strips - 0.5f);
+                Add(new Vector3(x, height(x), -0.5f * width), normal(x));
+                Add(new Vector3(x, height(x), 0.5f * width), normal(x));
+                uint a = first + 2 * i;
+                if (i < strips) indices.AddRange(new[] { a, a + 1, a + 3, a, a + 3, a + 2 });
+            }
+            return this;
+        }
+
         /// <summary>Adds a closed ball of flat rings.</summary>
         public UploadedSurface Ball(Vector3 centre, float radius, int rings)
         {

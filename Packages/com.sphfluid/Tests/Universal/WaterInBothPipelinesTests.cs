@@ -148,6 +148,50 @@ namespace SphFluid.Tests
             Assert.That(within.r, Is.LessThan(0.6f * without.r), "half a metre of water swallows red");
         }
 
+        // Steps in the water bend light to the floor below them: at the left, as a wall shades the right half.
+        [UnityTest]
+        public IEnumerator CausticsFallOnTheFloorInTheSun()
+        {
+            Replace(Column(-0.3f, 0.2f), Column(-0.1f, 0.3f), Column(0.1f, 0.2f), Column(0.3f, 0.3f));
+            Scene.Beside.SetActive(false);
+            Scene.NewBlock(new Vector3(0.48f, 0.05f, 0f), new Vector3(0.05f, 0.5f, 2f));
+            Scene.Samples = Asset.msaaSampleCount = 4;
+            Scene.Camera.transform.position = new Vector3(0f, 1f, -0.7f);
+            Scene.Camera.transform.LookAt(new Vector3(0f, -0.15f, 0f));
+            yield return DrawBoth();
+            Picture plainBefore = BuiltIn, plain = Universal;
+            Scene.Water.Water.Caustics = 1f;
+            yield return DrawBoth();
+            AssertAlike();
+            AssertChange(BuiltIn, plainBefore);
+            AssertChange(Universal, plain);
+        }
+
+        private static Bounds Column(float middle, float height) =>
+            new Bounds(new Vector3(middle, 0.5f * height - 0.2f, 0f), new Vector3(0.2f, height, 0.8f));
+
+        private void AssertChange(Picture seen, Picture before)
+        {
+            Assert.That(MostApart(seen, before, -0.35f, -0.1f), Is.GreaterThan(0.05), "in the sun");
+            Assert.That(MostApart(seen, before, 0.1f, 0.35f), Is.LessThan(0.01), "in the shadow");
+        }
+
+        // On the floor, from one x to another.
+        private double MostApart(Picture a, Picture b, float from, float to)
+        {
+            Vector2 low = Scene.Camera.WorldToViewportPoint(new Vector3(from, -0.2f, -0.25f));
+            Vector2 high = Scene.Camera.WorldToViewportPoint(new Vector3(to, -0.2f, 0.25f));
+            double most = 0.0;
+            for (int y = (int)(low.y * a.Height); y < (int)(high.y * a.Height); y++)
+            {
+                for (int x = (int)(low.x * a.Width); x < (int)(high.x * a.Width); x++)
+                {
+                    most = System.Math.Max(most, System.Math.Abs(a.Luma(x, y) - b.Luma(x, y)));
+                }
+            }
+            return most;
+        }
+
         private IEnumerator ShowSpray(params Bounds[] liquid)
         {
             Replace(liquid);

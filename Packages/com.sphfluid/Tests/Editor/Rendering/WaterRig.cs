@@ -16,13 +16,13 @@ namespace SphFluid.Tests
         /// <summary>Of the camera from the origin, in metres.</summary>
         public const float Distance = 2f;
 
+        public const float Spacing = 0.025f;
+
         public const int ForwardPass = 0;
         public const int ShadowPass = 1;
 
         /// <summary>Half the width of what the camera sees a metre before it, where it is not a parallel one.</summary>
         public const float HalfAngle = 0.12f;
-
-        private const float Spacing = 0.025f;
 
         private readonly WaterDrawing water = new WaterDrawing(SurfaceTestScene.LoadShaders());
         private Vector3 eye = new Vector3(0f, 0f, -Distance);
@@ -106,20 +106,13 @@ namespace SphFluid.Tests
         public Color[] Render(Action<MaterialPropertyBlock> change = null, int pass = ForwardPass, Color background = default,
             bool fromWithin = false)
         {
-            DrawPlacement placement = Placement;
             SurfaceBuffers buffers = surface.Buffers;
-            water.Fill(buffers, new SurfaceGrid(Domain.min, Domain.size, 64), SurfaceWalls.Closed, placement);
-            water.SetLook(buffers, Look, Vector2Int.one * Size, placement);
-            water.SetSurface(Look);
-            MaterialPropertyBlock block = water.Block;
+            MaterialPropertyBlock block = Fill(buffers);
             block.SetVector("_FluidLightDirection", Vector3.up);
             block.SetVector("_FluidLightColour", Vector4.zero);
             block.SetVectorArray("_FluidAmbient", new Vector4[7]);
             block.SetVector("_FluidReflection", Vector4.zero);
-            block.SetVector("_FluidScene", new SceneTextures(SceneColourSource.Copy, true).ToVector());
-            block.SetVector("_FluidThicknessView", new Vector4(Size, Size, 0f, 0f));
             block.SetTexture("_FluidSceneColour", Scene);
-            block.SetTexture("_CameraDepthTexture", depth);
             change?.Invoke(block);
             Material material = fromWithin ? water.Within : water.Material;
             return Draw(cmd =>
@@ -127,6 +120,23 @@ namespace SphFluid.Tests
                 cmd.ClearRenderTarget(false, true, background);
                 cmd.DrawProceduralIndirect(buffers.Indices, Matrix4x4.identity, material, pass, MeshTopology.Triangles,
                     buffers.Arguments, 0, block);
+            });
+        }
+
+        /// <summary>What caustics multiply the scene by, 1 where they leave it as it is.</summary>
+        /// <param name="toLight">Direction to the main light.</param>
+        /// <param name="light">Its colour.</param>
+        public Color[] RenderCaustics(Vector3 toLight, Color light)
+        {
+            MaterialPropertyBlock block = Fill(surface.Buffers);
+            block.SetVector("_FluidLightDirection", toLight.normalized);
+            block.SetVector("_FluidLightColour", light);
+            block.SetVectorArray("_FluidAmbient", new Vector4[7]);
+            GpuTest.Run(water.Caustics.RecordMap);
+            return Draw(cmd =>
+            {
+                cmd.ClearRenderTarget(false, true, Color.white);
+                water.Caustics.Record(cmd);
             });
         }
 
@@ -157,6 +167,19 @@ namespace SphFluid.Tests
                         water.Spray.RecordAfterWater(cmd);
                 });
             }
+        }
+
+        private MaterialPropertyBlock Fill(in SurfaceBuffers buffers)
+        {
+            DrawPlacement placement = Placement;
+            water.Fill(buffers, new SurfaceGrid(Domain.min, Domain.size, 64), SurfaceWalls.Closed, placement);
+            water.SetLook(buffers, Look, Vector2Int.one * Size, placement);
+            water.SetSurface(Look);
+            MaterialPropertyBlock block = water.Block;
+            block.SetVector("_FluidScene", new SceneTextures(SceneColourSource.Copy, true).ToVector());
+            block.SetVector("_FluidThicknessView", new Vector4(Size, Size, 0f, 0f));
+            block.SetTexture("_CameraDepthTexture", depth);
+            return block;
         }
 
         private DrawPlacement Placement => new DrawPlacement(Matrix4x4.identity, Domain.size, 0f, 0, false, false, Spacing);
