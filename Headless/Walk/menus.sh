@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # A new user's first minutes without the Editor: an empty project of Unity 6000.5 with the package in it, the code that GameObject > Fluid > ...
 # calls, and a picture of what each step leaves. Each is played twice in one process, as without a domain reload, and must show the same pictures.
+# What they show in the end becomes the picture of the menus in the manual; afterwards ./run check --only docs --update.
 # Run by hand: ./Headless/Walk/menus.sh [FOLDER], by default Build/walk.
 set -euo pipefail
 
@@ -23,10 +24,10 @@ cd "$project"
 export LP_NUM_THREADS=1
 "$player" exec --project "$project" --assemblies "$assemblies" --executeMethod SphFluid.Validation.Editor.NewUserWalk.Write
 
-failed=0
+fps=10 failed=0 shown=() moments=''
 play() {
     "$player" play --project "$project" --assemblies "$assemblies" --executeMethod SphFluid.Validation.CommandLine.Play \
-        --scene "Assets/NewUser/$1.unity" --seconds "$2" --fps 20 --size 640x360 --twice --out "$pictures/$1" > "$pictures/$1.log" 2>&1
+        --scene "Assets/NewUser/$1.unity" --seconds "$2" --fps $fps --size 480x270 --twice --out "$pictures/$1" > "$pictures/$1.log" 2>&1
 }
 report() {
     local step=$1
@@ -48,6 +49,8 @@ report 1-floor names_the_menu 1-floor
 while read -r step seconds; do
     play "$step" "$seconds" || true
     report "$step" is_clean "$step"
+    shown+=(-i "$pictures/$step/frame_$(awk -v t="$seconds" -v f=$fps 'BEGIN { printf "%05.0f", t * f }').png")
+    moments+="${moments:+ }$seconds"
 done << 'STEPS'
 2-tank 1.5
 3-emitter 1.5
@@ -55,4 +58,9 @@ done << 'STEPS'
 5-particles 1
 STEPS
 echo "$failed failed"
+if ((failed == 0)); then
+    menu=$root/Packages/com.sphfluid/Documentation~/images/menu.png
+    ffmpeg -nostdin -hide_banner -loglevel error -y "${shown[@]}" -filter_complex 'xstack=inputs=4:layout=0_0|w0_0|0_h0|w0_h0' -frames:v 1 "$menu"
+    "$root/Headless/Docs/record-picture.sh" "$menu" '' ./Headless/Walk/menus.sh "$moments" "$pictures/2-tank"
+fi
 exit $((failed > 0))

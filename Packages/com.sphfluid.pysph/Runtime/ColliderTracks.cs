@@ -82,7 +82,7 @@ namespace SphFluid
             }
             if (solid.Source is SkinnedMeshRenderer)
             {
-                Report(solid, "is a skinned mesh, whose bending is not exported: it moves as the rigid body that it is at the start.", "");
+                Report(solid, "is a skinned mesh, whose bending is not exported: it moves rigidly, in its shape at the start.", "");
             }
             if (!solid.Mesh.IsClosed)
             {

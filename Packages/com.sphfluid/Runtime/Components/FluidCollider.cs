@@ -23,8 +23,8 @@ namespace SphFluid
 
         [SerializeField,
             Tooltip(
-                "The liquid moves the Rigidbody of these colliders, unless it is kinematic. Off: they push the liquid and feel nothing " +
-                "of it. " +
+                "The liquid moves the Rigidbody of these colliders, unless it is kinematic. Off: they push the liquid and do not feel " +
+                "it. " +
             "The thesis's method moves none.")]
         private bool movedByLiquid = true;
 
@@ -39,11 +39,11 @@ namespace SphFluid
             Tooltip(
                 "The liquid collides with the Wheel Colliders of this object and of those below it even where Unity's overlap queries do " +
                 "not " +
-            "report them. The car feels nothing of the liquid through them.")]
+            "report them. The car does not feel the liquid through them.")]
         private bool wheelColliders;
 
         [SerializeField, Min(0f),
-            Tooltip("Width of the Wheel Colliders [m], which have none of their own. 0: 0.65 of the radius, as a car's tyre.")]
+            Tooltip("Width of the Wheel Colliders [m], which have none of their own. 0: 0.65 of the radius, like a car's tyre.")]
         private float wheelWidth;
 
         [SerializeField, Tooltip("Simulations that collide with these colliders. Empty: all that find them.")]

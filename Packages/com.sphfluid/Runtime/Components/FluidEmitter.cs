@@ -13,7 +13,7 @@ namespace SphFluid
         private readonly EmitterState state = new EmitterState();
 
         [SerializeField,
-            Tooltip("What flows. A simulation without a liquid of its own takes it; with one it must be the same. Empty: what is there.")]
+            Tooltip("Liquid that flows. A simulation without its own takes it; otherwise both must be the same. Empty: the simulation's.")]
         private FluidLiquid liquid;
 
         [SerializeField, Tooltip("Outline of the nozzle, across this transform's forward axis.")]
@@ -30,13 +30,13 @@ namespace SphFluid
                 "Mesh of the nozzle, readable: liquid leaves from its front as seen along this transform's forward axis. Shape Mesh only.")]
         private Mesh mesh;
 
-        [SerializeField, Tooltip("Whether the speed at the nozzle is given, or the volume a second.")]
+        [SerializeField, Tooltip("What sets the flow: the speed at the nozzle, or the volume per second.")]
         private FluidEmitterFlow flow;
 
         [SerializeField, Unit("m/s"), Min(0f), Tooltip("Speed of the liquid at the nozzle in m/s.")]
         private float speed = 1f;
 
-        [SerializeField, Unit("m³/s"), Min(0f), Tooltip("Volume that leaves the nozzle a second in m³/s: 0.001 is a litre.")]
+        [SerializeField, Unit("m³/s"), Min(0f), Tooltip("Volume that leaves the nozzle per second in m³/s: 0.001 is a litre.")]
         private float volumeRate = 0.001f;
 
         [SerializeField, Tooltip("Flow from the moment when the component is enabled.")]
@@ -50,8 +50,9 @@ namespace SphFluid
         private float lifetime;
 
         [SerializeField,
-            Tooltip("The nozzle stands in liquid: a pipe, a support radius long, keeps the surrounding liquid out and drives what " +
-            "leaves. The pipe is a wall to liquid, a particle spacing thick, and is not drawn. Off: liquid at the nozzle blocks it.")]
+            Tooltip("The nozzle stands in liquid: a pipe, a support radius long, keeps the surrounding liquid out and drives the " +
+            "liquid that leaves. The pipe is a wall to liquid, a particle spacing thick, and is not drawn. Off: liquid at the nozzle " +
+            "blocks it.")]
         private bool underWater;
 
         [SerializeField, Tooltip("Simulation that the liquid belongs to. Empty: the simulation among its parents, else the only one " +

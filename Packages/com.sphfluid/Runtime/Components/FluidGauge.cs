@@ -15,7 +15,7 @@ namespace SphFluid
         private readonly TimeMean heights = new TimeMean();
         private readonly FluidReading[] readings = new FluidReading[1];
 
-        [SerializeField, Min(0f), Tooltip("How far above this object, along its up axis, the surface is looked for, in metres.")]
+        [SerializeField, Min(0f), Tooltip("How far above this object, along its up axis, to look for the surface, in metres.")]
         private float length = 1f;
 
         private long answer;

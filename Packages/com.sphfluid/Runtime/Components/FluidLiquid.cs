@@ -24,10 +24,10 @@ namespace SphFluid
         [SerializeField, Tooltip("How its surface is made.")]
         private FluidSurfaceOptions surface = new FluidSurfaceOptions();
 
-        [SerializeField, Tooltip("How it is drawn: as a body that light goes through, or as an opaque one.")]
+        [SerializeField, Tooltip("How it is drawn: as a body that light goes through, like water, or as an opaque one.")]
         private FluidSurfaceLook look = FluidSurfaceLook.Water;
 
-        [SerializeField, Tooltip("How the body looks that light goes through.")]
+        [SerializeField, Tooltip("How it looks where light goes through it.")]
         private FluidWaterLook water = new FluidWaterLook();
 
         [SerializeField, Tooltip("Colour of the opaque body.")]
@@ -53,7 +53,7 @@ namespace SphFluid
         private Color foamColor = new Color(0.93f, 0.97f, 1f);
 
         [Header("Sources")]
-        [SerializeField, TextArea(3, 16), Tooltip("Where its constants are from, and what they leave out.")]
+        [SerializeField, TextArea(3, 16), Tooltip("Where its constants come from, and what they leave out.")]
         private string sources = "";
 
         /// <summary>How it moves.</summary>
@@ -68,10 +68,10 @@ namespace SphFluid
         /// <summary>How its surface is made.</summary>
         public FluidSurfaceOptions Surface => surface;
 
-        /// <summary>How it is drawn: as a body that light goes through, or as an opaque one.</summary>
+        /// <summary>How it is drawn: as a body that light goes through, like water, or as an opaque one.</summary>
         public FluidSurfaceLook Look { get => Limits.Known(look); set => look = value; }
 
-        /// <summary>How the body looks that light goes through.</summary>
+        /// <summary>How it looks where light goes through it.</summary>
         public FluidWaterLook Water => water;
 
         /// <summary>Colour of the opaque body. Not a number counts as 0.</summary>

@@ -21,10 +21,10 @@ namespace SphFluid
         [SerializeField, Tooltip("Simulation to show. Empty: all that are enabled.")]
         private FluidSimulation simulation;
 
-        [SerializeField, Tooltip("Whether it is shown. A script of yours switches it, by a key or a button.")]
+        [SerializeField, Tooltip("Whether it is shown. Switch it from a script, for example by a key.")]
         private bool visible = true;
 
-        [SerializeField, Tooltip("Whether the times of the stages are measured and shown. They are of all liquids together.")]
+        [SerializeField, Tooltip("Whether the times of the stages are measured and shown. They cover all liquids together.")]
         private bool stageTimes = true;
 
         [SerializeField, Range(0.5f, 30f),

@@ -153,7 +153,7 @@ namespace SphFluid
             if (!wall.TryPlace(liquid, transform, patchSize, out bool isFull))
             {
                 return isFull
-                    ? Warn($"'{liquid.name}' has {WallForces.Most} wall patches already, the most that there are.",
+                    ? Warn($"'{liquid.name}' has {WallForces.Most} wall patches already, the most that it may have.",
                         "Disable another probe.")
                     : Warn(
                         FormattableString.Invariant($"No wall of '{liquid.name}' is within {solver.Settings.SupportRadius:0.###} m, so ") +

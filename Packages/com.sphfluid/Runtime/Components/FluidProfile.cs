@@ -92,8 +92,8 @@ namespace SphFluid
         private float wallDampingRatio = 1f;
 
         [Header("Thesis")]
-        [SerializeField, Tooltip("What of the thesis's text is corrected. Each can be switched alone to see what the printed form does; " +
-            "the method Thesis Printed ignores them: everything is as printed.")]
+        [SerializeField, Tooltip("Which misprints of the thesis are corrected. Switch one alone to see what its printed form does; the " +
+            "method Thesis Printed ignores them: everything is as printed.")]
         private ThesisSwitches thesisSwitches = ThesisSwitches.Corrected;
 
         [Header("Limits")]

@@ -24,12 +24,12 @@ namespace SphFluid
                 "What is read. Wetness: 1 within the liquid, 0.5 at its surface, 0 outside. Speed in m/s. Pressure in Pa. Level: height " +
                 "of the surface " +
             "above this object along its up axis, in metres. Fill Level: part of a box about this object that holds liquid, 0 to 1. " +
-            "Flow: what goes through a rectangle " +
-            "about this object along its forward axis, in m³/s.")]
+            "Flow: volume per second through a " +
+            "rectangle about this object along its forward axis, in m³/s.")]
         private FluidSensorKind kind = FluidSensorKind.Wetness;
 
         [SerializeField, Unit("m"), Min(0f),
-            Tooltip("How far above this object, along its up axis, the level is looked for, in metres. Level only.")]
+            Tooltip("How far above this object, along its up axis, to look for the level, in metres. Level only.")]
         private float length = 1f;
 
         [SerializeField, Unit("m"),

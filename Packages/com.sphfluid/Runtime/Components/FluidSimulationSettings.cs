@@ -10,7 +10,7 @@ namespace SphFluid
     public abstract class FluidSimulationSettings : MonoBehaviour
     {
         [SerializeField,
-            Tooltip("What it is filled with: how it moves, how it looks, and its spray and foam. Another one starts it again.")]
+            Tooltip("The liquid: its motion, look, spray and foam. One with another profile starts the simulation again.")]
         private FluidLiquid liquid;
 
         [SerializeField, Unit("m"), Tooltip("Edge lengths of the box that holds the liquid, in metres. A change starts the liquid again.")]
@@ -38,20 +38,19 @@ namespace SphFluid
         [SerializeField, Min(0f),
             Tooltip(
                 "Time of this liquid over the scene's time: 1 as fast as the scene, 0.5 half as fast, 0 stands still. Time.timeScale " +
-                "acts besides.")]
+                "applies as well.")]
         private float timeScale = 1f;
 
         [SerializeField, Tooltip("Start with the scene or when the component is enabled.")]
         private bool playOnEnable = true;
 
-        [SerializeField, Tooltip("Constants of the motion and shaders, in place of those of the liquid. Empty: the liquid's.")]
+        [SerializeField, Tooltip("Constants of motion and shaders that replace the liquid's. Empty: the liquid's.")]
         private FluidProfile profile;
 
         [SerializeField, Min(0f), Unit("ms"),
             Tooltip(
-                "Time that this liquid's steps may take of a frame on the graphics device in milliseconds, with the method Automatic. In " +
-                "play a change " +
-            "chooses again, and another method starts the liquid again.")]
+                "Milliseconds of each frame that this liquid's steps may take on the graphics device, with the method Automatic. A " +
+                "change in play chooses again, and another method starts the liquid again.")]
         private float frameBudget = 4f;
 
         [SerializeField, Min(0f), Unit("Hz"),
@@ -77,10 +76,10 @@ namespace SphFluid
         [Header("Start")]
         [SerializeField,
             Tooltip(
-                "How the liquid is brought to rest before the first frame. None: as its liquid says. Packed: without gravity, particles " +
-                "part that lie too near to each other or to walls. Hydrostatic: under gravity. Both take hundreds to thousands of steps " +
-                "at the start, without Start Jitter; method Standard only. Saved: at once, from Saved Start. A change starts the liquid " +
-                "again.")]
+                "How the liquid is brought to rest before the first frame. None: the liquid's own choice. Packed: without gravity, " +
+                "particles that are too close to each other or to walls move apart. Hydrostatic: under gravity. Both take hundreds to " +
+                "thousands of steps at the start, without Start Jitter; method Standard only. Saved: at once, from Saved Start. A change " +
+                "starts the liquid again.")]
         private FluidStartRelaxation startRelaxation;
 
         [SerializeField,
@@ -103,8 +102,8 @@ namespace SphFluid
         private bool sleepsAtRest = true;
 
         [SerializeField, Min(0f), Unit("m/s"),
-            Tooltip("Fastest speed to be ready for in m/s, 1000 at most, when something makes the liquid faster than its fall and the " +
-            "colliders, or where the speed of sound does not follow those. 0: they decide.")]
+            Tooltip("Fastest speed to expect in m/s, 1000 at most: for liquid that gets faster than its fall and the colliders, or " +
+            "whose speed of sound does not follow them. 0: fall and colliders decide.")]
         private float expectedSpeed;
 
         [SerializeField, Range(1, 1000),

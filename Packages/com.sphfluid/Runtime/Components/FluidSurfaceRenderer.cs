@@ -12,7 +12,7 @@ namespace SphFluid
     [ManualPage("drawing", "clear-water")]
     public sealed class FluidSurfaceRenderer : FluidRenderer
     {
-        [SerializeField, Tooltip("The rows below, in place of the look of the simulation's liquid. Without a liquid they act anyway.")]
+        [SerializeField, Tooltip("Use the rows below instead of the look of the simulation's liquid. Without a liquid they always apply.")]
         private bool ownLook;
 
         [SerializeField, Tooltip("How the surface is made.")]
@@ -26,7 +26,7 @@ namespace SphFluid
 
         [SerializeField,
             Tooltip(
-                "Material with the shader 'SPH Fluid/Water' or 'SPH Fluid/Surface', as the look says. Empty: one made from the settings " +
+                "Material with the shader 'SPH Fluid/Water' or 'SPH Fluid/Surface', to match the look. Empty: one made from the settings " +
                 "here.")]
         private Material material;
 

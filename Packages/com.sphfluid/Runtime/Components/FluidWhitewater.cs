@@ -20,7 +20,7 @@ namespace SphFluid
         private int maxParticles = 65536;
 
         [SerializeField,
-            Tooltip("The rows below, in place of the whitewater of the simulation's liquid. Without a liquid they act anyway.")]
+            Tooltip("Use the rows below instead of the whitewater of the simulation's liquid. Without a liquid they always apply.")]
         private bool ownLook;
 
         [SerializeField, Min(0f), Tooltip("How much whitewater agitated liquid makes, relative to the default.")]

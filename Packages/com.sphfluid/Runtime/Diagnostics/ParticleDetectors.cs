@@ -119,7 +119,7 @@ namespace SphFluid
             long missing = e.Now.Misplaced + Math.Abs(e.Now.Listed - e.Now.ParticleCount);
             if (missing == 0) return null;
             return new FluidFinding(FluidFailure.StaleGrid, missing, 0.0,
-                Invariant($"The neighbour grid is not that of the present positions: {e.Now.Misplaced} particles are not in their cell, ") +
+                Invariant($"The neighbour grid does not match the present positions: {e.Now.Misplaced} particles are not in their cell, ") +
                 Invariant($"and all cells together hold {e.Now.Listed} of {e.Now.ParticleCount}."),
                 "Record the neighbour setup after every change of the particles; from a script, start a new solver instead of writing " +
                 "its buffers.");

@@ -61,7 +61,7 @@ namespace SphFluid
             return new FluidFinding(FluidFailure.Tunnelling, displacement, TimeStepAdvice.SpeedLimit,
                 Invariant($"The fastest particle, at {e.Now.MaxSpeed:G3} m/s, moves {displacement:0.00} spacings a step: ") +
                 (e.Has(FluidMethodFeatures.PenaltyWalls) ? "it can cross a thin wall before the wall pushes."
-                    : "colliders hold it, but it is amid other liquid before pressure acts."),
+                    : "colliders hold it, but it runs into other liquid before pressure acts."),
                 e.ShorterSteps + Invariant($", raise Expected Speed to {e.Now.MaxSpeed:G3} m/s or set Time Step Mode to Adaptive") +
                 (e.Has(FluidMethodFeatures.PenaltyWalls) ? "; make thin colliders thicker than a spacing." : "."));
         }

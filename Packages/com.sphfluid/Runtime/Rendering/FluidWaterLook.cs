@@ -43,7 +43,7 @@ namespace SphFluid
         private Color emission = Color.black;
 
         [SerializeField, Range(WaterReflectance, 1f),
-            Tooltip("Share of the light that its surface mirrors seen at a right angle. 0.02: water; 0.04: honey; 0.8: liquid metal.")]
+            Tooltip("Share of the light that its surface mirrors head-on. 0.02: water; 0.04: honey; 0.8: liquid metal.")]
         private float reflectance = WaterReflectance;
 
         [SerializeField, Range(0f, 1f), Tooltip("How much the scene behind is displaced. 1: as much as by water.")]
@@ -70,12 +70,12 @@ namespace SphFluid
 
         [SerializeField, Range(0, MostDrops),
             Tooltip(
-                "Small drops that a particle far from others is drawn as. 0: it stays in the surface, as a ball of water. More: finer " +
-                "spray that costs more.")]
+                "Number of small drops that a lone particle is drawn as. 0: it stays in the surface, as a ball of water. More: finer, " +
+                "more expensive spray.")]
         private int spray = 14;
 
         [SerializeField, Range(0f, 0.02f),
-            Tooltip("How long the camera's shutter is open for spray [s]: fast drops are drawn as streaks of the way they go in it.")]
+            Tooltip("How long the camera's shutter is open for spray [s]: fast drops are drawn as streaks along their way.")]
         private float sprayShutter = 1f / 400f;
 
         /// <summary>Most drops of <see cref="Spray"/>.</summary>
@@ -99,8 +99,8 @@ namespace SphFluid
         public Color Scattering { get => Limits.Finite(scattering); set => scattering = value; }
 
         /// <summary>
-        /// Light that it gives off by itself where it is thick, with values above 1 for what shines; black by default. It lights nothing
-        /// else. Not a number counts as 0.
+        /// Light that it gives off by itself where it is thick, with values above 1 for what shines; black by default. Liquid of a short
+        /// sight has a skin and gives off less where it lies flat. It lights nothing else. Not a number counts as 0.
         /// </summary>
         public Color Emission { get => Limits.Finite(emission); set => emission = value; }
 
@@ -200,6 +200,19 @@ namespace SphFluid
                 }
                 float share = 1f - Mathf.Exp(-(lost.x + lost.y + lost.z) / 3f * WayInSpray);
                 return Vector4.Lerp(Vector4.one, body / (1f - turned), share);
+            }
+        }
+
+        /// <summary>Light that drops and mist give off: <see cref="Emission"/>, as much as a layer as thick as a drop does.</summary>
+        internal Vector4 SprayGlow
+        {
+            get
+            {
+                Vector4 given = Surface;
+                Vector4 lost = Extinction;
+                Vector4 glow = Vector4.zero;
+                for (int c = 0; c < 3; c++) glow[c] = given[c] * (1f - Mathf.Exp(-lost[c] * WayInSpray));
+                return glow;
             }
         }
 

@@ -43,6 +43,7 @@ namespace SphFluid
         public static readonly int DropsPerParticle = Shader.PropertyToID("_DropsPerParticle");
         public static readonly int SprayShutter = Shader.PropertyToID("_SprayShutter");
         public static readonly int SprayColor = Shader.PropertyToID("_SprayColor");
+        public static readonly int SprayGlow = Shader.PropertyToID("_SprayGlow");
         public static readonly int SpraySpacing = Shader.PropertyToID("_SpraySpacing");
         public static readonly int ShadowStrength = Shader.PropertyToID("_ShadowStrength");
     }

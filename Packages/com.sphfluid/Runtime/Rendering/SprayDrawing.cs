@@ -35,7 +35,7 @@ namespace SphFluid
 
         /// <summary>Draws this frame's spray for every camera, after the water.</summary>
         /// <param name="drawn">The spray.</param>
-        /// <param name="look">Its colour, and how long the shutter is open.</param>
+        /// <param name="look">Its colour and glow, and how long the shutter is open.</param>
         /// <param name="where">Where it is.</param>
         /// <param name="thickness">Of the water.</param>
         public void Draw(in SprayBuffers drawn, FluidWaterLook look, in DrawPlacement where, ThicknessPass thickness)
@@ -60,6 +60,7 @@ namespace SphFluid
             block.SetInteger(RenderShaderIds.DropsPerParticle, spray.DropsPerParticle);
             block.SetFloat(RenderShaderIds.SprayShutter, look.SprayShutter);
             block.SetVector(RenderShaderIds.SprayColor, look.SprayColor);
+            block.SetVector(RenderShaderIds.SprayGlow, look.SprayGlow);
             block.SetFloat(RenderShaderIds.SpraySpacing, spray.Spacing);
             block.SetMatrix(RenderShaderIds.FluidLocalToWorld, placement.LocalToWorld);
             thickness.Apply(block);

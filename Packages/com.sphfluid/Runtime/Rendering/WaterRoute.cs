@@ -27,7 +27,7 @@ namespace SphFluid
             {
                 case DrawPipelineKind.BuiltIn:
                     return new WaterRoute(true,
-                        "Built-in pipeline: the water refracts a copy of each camera's picture, made before transparent things are drawn.");
+                        "Built-in pipeline: the water refracts a copy of each camera's picture, made before transparent objects.");
                 case DrawPipelineKind.Universal when universal != null:
                     return OfRenderer(universal.Limit);
                 case DrawPipelineKind.HighDefinition:
@@ -35,7 +35,7 @@ namespace SphFluid
                         "High Definition Render Pipeline: the water is blended over the scene. Refraction, reflection probes and shadows " +
                         "are missing.");
                 default:
-                    return new WaterRoute(false, "This render pipeline hands the water no picture of the scene: it is blended over it. " +
+                    return new WaterRoute(false, "This render pipeline gives the water no picture of the scene: it is blended over it. " +
                         "Refraction is missing; it needs the Built-in pipeline or the Universal Render Pipeline 14 or newer.");
             }
         }

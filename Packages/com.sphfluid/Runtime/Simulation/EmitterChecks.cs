@@ -56,7 +56,7 @@ namespace SphFluid
             if (emitter.Liquid == null || emitter.Liquid == spec.Liquid) return null;
             return new FluidMessage(FluidSeverity.Warning, FluidIssue.LiquidsDiffer, emitter.Owner,
                 $"The emitter gives '{emitter.Liquid.name}', but '{spec.Name}' holds '{spec.Liquid.name}', and that flows: a simulation " +
-                "is of one liquid.",
+                "has one liquid.",
                 "Give both the same Liquid, or leave the emitter's empty; for two liquids use two simulations.");
         }
 
@@ -122,7 +122,7 @@ namespace SphFluid
                         "Move it into the domain, or enlarge Domain Size."));
                 else if (collision.FindCovering(place, 0f) is int covering && covering >= 0)
                     messages.Add(new FluidMessage(FluidSeverity.Warning, FluidIssue.EmitterInvalid, emitter.Owner,
-                        $"The emitter is inside the collider of {collision.NameOf(covering)}: its liquid begins in there and is squeezed.",
+                        $"The emitter is inside the collider of {collision.NameOf(covering)}: its liquid starts inside and is squeezed.",
                         "Move the emitter to the opening, or take the collider's layer out of Collider Layers."));
             }
         }

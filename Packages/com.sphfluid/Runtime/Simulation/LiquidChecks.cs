@@ -10,6 +10,9 @@ namespace SphFluid
         /// <summary>Share of a volume outside the domain below which nothing is said.</summary>
         private const double OutsideTolerance = 0.001;
 
+        // As rocks in a river take. Beyond it the liquid was meant to be elsewhere.
+        private const double MostCarved = 0.25;
+
         /// <summary>The shapes of the volumes that can be filled, among the colliders gathered in <paramref name="collision"/>.</summary>
         public static List<(VolumeSpec volume, LiquidShape shape)> Shapes(
             in FluidSpec spec, IReadOnlyList<VolumeSpec> volumes, CollisionScene collision, List<FluidMessage> messages)
@@ -117,7 +120,8 @@ namespace SphFluid
                     $"The liquid volume lies wholly inside colliders, the last one {collider}, so no particle is left.",
                     "Move the volume out of the collider, or take the collider's layer out of the simulation's Collider Layers.");
             else
-                Add(messages, FluidSeverity.Warning, FluidIssue.VolumeInsideCollider, volume,
+                Add(messages, tally.Carved > MostCarved * (tally.Carved + tally.Filled) ? FluidSeverity.Warning : FluidSeverity.Info,
+                    FluidIssue.VolumeInsideCollider, volume,
                     $"{tally.Carved} of {tally.Carved + tally.Filled} particles would start inside colliders or against their faces, the " +
                     $"last one {collider}, and are left out.",
                     "If more liquid was meant, move the volume and the collider apart, or fill the hollow between colliders with the " +

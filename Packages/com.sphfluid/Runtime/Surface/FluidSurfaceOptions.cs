@@ -13,7 +13,7 @@ namespace SphFluid
         private FluidSurfaceQuality quality = FluidSurfaceQuality.Default;
 
         [SerializeField, Min(0f),
-            Tooltip("Edge of a cell in particle spacings. 0: what the quality says. Smaller cells are finer and cost more.")]
+            Tooltip("Edge of a cell in particle spacings. 0: by the quality. Smaller cells are finer and cost more.")]
         private float cellSize;
 
         [SerializeField,

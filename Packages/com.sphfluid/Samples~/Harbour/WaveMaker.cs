@@ -18,9 +18,9 @@ namespace SphFluid.Samples
 
         private void Update()
         {
-            time += Time.deltaTime;
             float gentle = Mathf.SmoothStep(0f, 1f, frequency * time);
             transform.position = middle - gentle * stroke * Mathf.Sin(2f * Mathf.PI * frequency * time) * Vector3.right;
+            time += Time.deltaTime;
         }
     }
 }

@@ -27,7 +27,7 @@ namespace SphFluid.Samples
         [SerializeField, Min(0f), Tooltip("How fast the stone warms what lies next to it [1/s].")]
         private float heating = 12f;
 
-        [SerializeField, Min(0f), Tooltip("How fast neighbours take each other's temperature [1/s].")]
+        [SerializeField, Min(0f), Tooltip("How fast neighbours even out their temperatures [1/s].")]
         private float conduction = 3f;
 
         private CommandBuffer commands;

@@ -21,10 +21,10 @@ namespace SphFluid.Samples
 
         private void Update()
         {
-            time += Time.deltaTime;
             float gentle = Mathf.SmoothStep(0f, 1f, time), angle = 2f * Mathf.PI * frequency * time;
             float along = gentle * Mathf.Sin(angle), across = gentle * (1f - Mathf.Cos(angle)) * 0.5f;
             transform.SetPositionAndRotation(middle + stroke * new Vector3(along, 0f, across), Quaternion.Euler(0f, 0f, -tilt * along));
+            time += Time.deltaTime;
         }
     }
 }

@@ -11,7 +11,7 @@ namespace SphFluid.Samples
         [SerializeField, Tooltip("Sound of rushing water, in a loop. Empty: noise that is made when the scene begins.")]
         private AudioClip clip;
 
-        [SerializeField, Min(0.1f), Tooltip("Speed at which it is as loud as it gets [m/s].")]
+        [SerializeField, Min(0.1f), Tooltip("Speed at full volume [m/s].")]
         private float loudSpeed = 4f;
 
         private FluidSensor sensor;

@@ -13,6 +13,7 @@ uint _DropsPerParticle;
 float _SprayShutter;  // how long the shutter is open [s]
 float _SpraySpacing;  // dx [m]
 float4 _SprayColor;   // rgb: in white light
+float4 _SprayGlow;    // rgb: light that it gives off
 
 #define MIST_COVER 0.04
 #define DROP_COVER 0.95
@@ -119,7 +120,7 @@ DropFragment ExpandDropFor(uint vertexId, float height)
     side = along * side.x + float2(-along.y, along.x) * side.y;
     float sun = ReceivedSun(world, 0.0, SURFACE_LIFT, _FluidReceived.z);
     float3 light = DropLight(normalize(view + right * side.x + up * side.y), view, sun);
-    output.colour = float4(FluidExposed(_SprayColor.rgb * light) * cover, cover);
+    output.colour = float4(FluidExposed(_SprayColor.rgb * light + _SprayGlow.rgb) * cover, cover);
     return output;
 }
 
@@ -153,7 +154,7 @@ float4 ShadeDropBeforeWater(DropFragment input) : SV_Target
     float gap = 0.0;
     [branch]
     if (input.softness > 0.0)
-        gap = SceneEyeDepth(screen) - depth;
+        gap = min(SceneEyeDepth(screen), NearestWater(screen)) - depth;
     return ShadeDrop(input, gap);
 }
 

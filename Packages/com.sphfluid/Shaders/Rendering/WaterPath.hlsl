@@ -158,6 +158,16 @@ float2 FirstLayerSpan(float2 screen)
     return float2(abs(thickness.y) < 0.5 ? end - thickness.x : 0.0, end);
 }
 
+// Where the water begins, metres along the camera's axis; NOTHING_BEHIND where there is none. Of several layers only the end of the nearest
+// is known, which stands for its beginning: mist before it fades too late rather than too early.
+float NearestWater(float2 screen)
+{
+    float4 thickness = ThicknessAt(sampler_PointClamp, screen);
+    float end = FirstLayerEndOf(thickness);
+    bool isOnly = abs(thickness.y) < 0.5 && thickness.z < 1.5;
+    return end < 0.0 ? NOTHING_BEHIND : isOnly ? end - thickness.x : end;
+}
+
 // Whether a camera in the water sees a point of the picture that lies beyond the water's surface. The picture of the scene that the water
 // refracts holds it then, so that it is neither drawn twice nor where a straight line would meet it.
 bool IsBeyondSurfaceFromWithin(float2 screen, float depth)

@@ -32,11 +32,6 @@ WaterRay StartRay(float3 world, float3 direction)
     return ray;
 }
 
-float3 RayPoint(WaterRay ray, float metres)
-{
-    return ray.start + ray.direction * metres;
-}
-
 float2 RayScreen(WaterRay ray, float metres)
 {
     float4 clipPosition = ray.clipStart + ray.clipStep * metres;

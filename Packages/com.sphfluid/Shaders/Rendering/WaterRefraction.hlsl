@@ -11,13 +11,14 @@ float4 _FluidRefractionSteps; // most steps, 0: none. x: through the water; y: b
 
 #define AIR_TO_WATER 0.75 // ratio of the refractive indices, 1 / 1.33
 #define FAR_BEHIND 50.0    // times as far as the camera
+#define NOT_IN_PICTURE -1.0
 #define WALL_CONTACT 0.03 // metres; a scene so near behind a wall is the wall, which mirrors nothing
 
 struct SeenThrough
 {
     float2 screen; // where the scene's colour is
     float path;    // way through water, metres
-    float3 mirror; // xy: where the colour is that the surface mirrors; z: its share, 0: the picture does not show it
+    float2 mirror; // where the colour is that the surface mirrors, or NOT_IN_PICTURE
 };
 
 // Where a line leaves the domain: distance, and the wall's outward normal in world space.
@@ -62,37 +63,10 @@ float LayerLeft(WaterRay ray, float metres)
     return SmoothFirstLayerEnd(RayScreen(ray, metres)) - RayDepth(ray, metres);
 }
 
-// How far a line runs in the nearest layer, whose faces are known along lines of sight: ever longer steps go on while they stay in it, the
-// last one is halved, and the layer's far face there ends the line. Without steps, and where the layer has no far face, it is as long as
-// "straight".
-float LayerLength(WaterRay ray, float straight, float toWall)
+// Where the layer's far face crosses a line, by its last point within and its first beyond; by the first and the last within where the
+// other is hidden or not in sight.
+float LayerEnd(WaterRay ray, float within, float beyond, float toWall)
 {
-    uint tries = (uint)_FluidRefractionSteps.x / 3u;
-    float within = 0.0;
-    float beyond = toWall;
-    float metres = max(straight, _MCCellSize.x);
-    [loop]
-    for (uint i = 0; i < tries + 2u && metres < toWall; i++)
-    {
-        if (!IsInLayer(ray, metres))
-        {
-            beyond = metres;
-            break;
-        }
-        within = metres;
-        metres *= 2.0;
-    }
-    bool reachesWall = beyond >= toWall && IsInLayer(ray, toWall);
-    [loop]
-    for (uint j = 0; j < tries && !reachesWall; j++)
-    {
-        float middle = 0.5 * (within + beyond);
-        if (IsInLayer(ray, middle))
-            within = middle;
-        else
-            beyond = middle;
-    }
-    // Where the face crosses the line, by the last two points; by the first and the last before where the other is hidden or not in sight.
     float2 last = RayScreen(ray, beyond);
     bool isInPicture = all(last == saturate(last));
     float before = LayerLeft(ray, within);
@@ -108,20 +82,60 @@ float LayerLength(WaterRay ray, float straight, float toWall)
         ended = first > before ? within * first / (first - before) : beyond;
         ended = clamp(ended, 0.0, isInPicture ? beyond : toWall);
     }
-    ended = FirstLayerEnd(RayScreen(ray, within)) < 0.0 ? straight : max(ended, 0.0);
-    bool isOpen = FirstLayerEnd(RayScreen(ray, 0.0)) < 0.0;
-    return tries == 0u || isOpen ? min(straight, toWall) : reachesWall ? toWall : ended;
+    return max(ended, 0.0);
+}
+
+// How far a line runs in the nearest layer, whose faces are known along lines of sight: ever longer steps go on while they stay in it, the
+// last one is halved, and the layer's far face there ends the line. Without steps, and where the layer has no far face, it is as long as
+// "straight".
+float LayerLength(WaterRay ray, float straight, float toWall)
+{
+    uint tries = (uint)_FluidRefractionSteps.x / 3u;
+    float ended = min(straight, toWall);
+    [branch]
+    if (tries > 0u && FirstLayerEnd(RayScreen(ray, 0.0)) >= 0.0)
+    {
+        float within = 0.0;
+        float beyond = toWall;
+        float metres = max(straight, _MCCellSize.x);
+        [loop]
+        for (uint i = 0; i < tries + 2u && metres < toWall; i++)
+        {
+            if (!IsInLayer(ray, metres))
+            {
+                beyond = metres;
+                break;
+            }
+            within = metres;
+            metres *= 2.0;
+        }
+        bool reachesWall = beyond >= toWall && IsInLayer(ray, toWall);
+        [loop]
+        for (uint j = 0; j < tries && !reachesWall; j++)
+        {
+            float middle = 0.5 * (within + beyond);
+            if (IsInLayer(ray, middle))
+                within = middle;
+            else
+                beyond = middle;
+        }
+        ended = toWall;
+        [branch]
+        if (!reachesWall)
+            ended = FirstLayerEnd(RayScreen(ray, within)) < 0.0 ? straight : LayerEnd(ray, within, beyond, toWall);
+    }
+    return ended;
 }
 
 // A pane at the side of a tank mirrors what meets it at less than the critical angle: sin of the angle to the normal above 0.75. On a film,
 // up to two spacings thick, the particles' bumps would show all that stands round the tank in pieces.
-bool IsMirroredByWall(WaterRay ray, float longest, DomainExit exit)
+bool IsMirroredByWall(float3 end, float3 direction, float toWall, float3 wall)
 {
-    float across = dot(ray.direction, exit.normal);
-    bool reaches = exit.metres - longest < 2.0 * _MCCellSize.x;
-    float3 inwards = RayPoint(ray, longest) - exit.normal * (2.0 * _FluidReceived.y + _MCCellSize.x);
+    float across = dot(direction, wall);
+    bool reaches = toWall < 2.0 * _MCCellSize.x;
+    float3 inwards = end - wall * (2.0 * _FluidReceived.y + _MCCellSize.x);
     return reaches && _FluidRefractionSteps.z > 0.5 && 1.0 - across * across > AIR_TO_WATER * AIR_TO_WATER &&
-        GapBehind(ray, longest) > WALL_CONTACT && IsInLayer(WaterScreen(inwards), WaterEyeDepth(inwards));
+        IsInLayer(WaterScreen(inwards), WaterEyeDepth(inwards));
 }
 
 // Lines that are followed one after the other, by one loop: inlined for each, the march would be most of the shader.
@@ -131,83 +145,119 @@ bool IsMirroredByWall(WaterRay ray, float longest, DomainExit exit)
 #define LINE_MIRRORED 3u // by the surface
 #define LINE_NONE 4u
 
-// What is seen along a line of sight that meets the water at "world".
-// layer: thickness of the nearest layer; water: of all of it before the scene; both metres along the camera's axis.
-// mirrors: whether what the surface mirrors is looked for in the picture.
-SeenThrough SeeThrough(float3 world, float3 view, float3 normal, float alongAxis, float layer, float water, bool mirrors)
+// wall, metres: where the line in water ended, which comes first.
+WaterRay StartLine(uint kind, float3 world, float3 view, float3 normal, float3 wall, float metres)
+{
+    float3 bent = normalize(lerp(-view, refract(-view, normal, AIR_TO_WATER), _Refraction));
+    float3 start = kind == LINE_OFF_WALL || kind == LINE_BEHIND ? world + bent * metres : world;
+    float3 direction = kind == LINE_IN_WATER ? bent : -view;
+    if (kind == LINE_OFF_WALL)
+        direction = reflect(bent, wall);
+    else if (kind == LINE_MIRRORED)
+        direction = reflect(-view, normal);
+    return StartRay(start, direction);
+}
+
+// Without steps a line is seen at its end, or where it starts if the scene hides that.
+MarchEnd Follow(WaterRay ray, float longest, uint most)
+{
+    MarchEnd end;
+    [branch]
+    if (most > 0u)
+    {
+        end = March(ray, longest, most);
+    }
+    else
+    {
+        end.isMet = false;
+        end.isWhole = GapBehind(ray, longest) >= 0.0;
+        end.metres = end.isWhole ? longest : 0.0;
+    }
+    return end;
+}
+
+// What is seen along a line of sight that meets the water at "world". mirrors: whether what the surface mirrors is looked for in the
+// picture. Each line is made from nothing but these and the first one's end, so that few registers stay in use while it is followed.
+SeenThrough SeeThrough(float3 world, float3 view, float3 normal, bool mirrors)
 {
     SeenThrough seen;
-    float2 screen = WaterScreen(world);
-    float3 bent = normalize(lerp(-view, refract(-view, normal, AIR_TO_WATER), _Refraction));
-    DomainExit exit = LeaveDomain(world, bent);
-    float others = max(water - layer, 0.0) / alongAxis;
-    seen.screen = screen;
-    seen.path = water / alongAxis;
-    seen.mirror = 0.0;
-
-    WaterRay ray = StartRay(world, bent);
-    float straight = layer / alongAxis;
-    float reach = exit.metres;
-    float before = 0.0; // metres of water before this line
+    seen.screen = 0.0;
+    seen.path = 0.0;
+    seen.mirror = NOT_IN_PICTURE;
+    float longest = 0.0;
+    float3 wall = 0.0; // its normal, where the line in water ends
     uint kind = LINE_IN_WATER;
     [loop]
     for (uint i = 0; i < 3u && kind != LINE_NONE; i++)
     {
-        float inLayer = reach;
+        WaterRay ray = StartLine(kind, world, view, normal, wall, longest);
+        float inLayer = 0.0;
+        float others = 0.0; // metres of water in further layers
+        uint onward = LINE_NONE;
+        uint most = (uint)_FluidRefractionSteps.x;
         [branch]
         if (kind <= LINE_OFF_WALL)
-            inLayer = LayerLength(ray, straight, reach);
-        float longest = kind == LINE_IN_WATER ? inLayer : reach;
-        uint most = (uint)(kind == LINE_BEHIND ? _FluidRefractionSteps.y : kind == LINE_MIRRORED ? _FluidRefractionSteps.w
-            : _FluidRefractionSteps.x);
-        MarchEnd end;
-        [branch]
-        if (most > 0u)
         {
-            end = March(ray, longest, most);
+            float straight = 0.0;
+            if (kind == LINE_IN_WATER)
+            {
+                float alongAxis = dot(view, unity_MatrixV[2].xyz);
+                float all = WaterBehind(world, view, alongAxis);
+                seen.screen = WaterScreen(world);
+                seen.path = clamp(SceneEyeDepth(seen.screen) - ray.front, 0.0, all) / alongAxis;
+                straight = min(FirstLayer(seen.screen, ray.front), all) / alongAxis;
+            }
+            DomainExit exit = LeaveDomain(ray.start, ray.direction);
+            wall = exit.normal;
+            longest = exit.metres;
+            inLayer = LayerLength(ray, straight, longest);
+            if (kind == LINE_IN_WATER)
+            {
+                longest = inLayer;
+                float gap = GapBehind(ray, longest);
+                float3 last = world + ray.direction * longest;
+                if (gap > WALL_CONTACT && IsMirroredByWall(last, ray.direction, exit.metres - longest, wall))
+                    onward = LINE_OFF_WALL;
+                else if (gap > 2e-3 * ray.front)
+                    onward = LINE_BEHIND;
+                others = onward == LINE_OFF_WALL ? 0.0 : max(seen.path - straight, 0.0);
+            }
+        }
+        else if (kind == LINE_BEHIND)
+        {
+            longest = FAR_BEHIND * ray.front / max(ray.depthStep, 1e-3);
+            most = (uint)_FluidRefractionSteps.y;
         }
         else
         {
-            end.isMet = false;
-            end.isWhole = GapBehind(ray, longest) >= 0.0;
-            end.metres = end.isWhole ? longest : 0.0;
+            float deep = ray.depthStep > 0.0 ? 0.9 * _ProjectionParams.z - ray.front : 0.9 * ray.front;
+            longest = RayInPicture(ray, max(deep, 0.0) / max(abs(ray.depthStep), 1e-3));
+            most = (uint)_FluidRefractionSteps.w;
         }
+        MarchEnd end = Follow(ray, longest, most);
         float2 place = RayScreen(ray, end.metres);
 
         uint next = mirrors && kind != LINE_MIRRORED ? LINE_MIRRORED : LINE_NONE;
         if (kind == LINE_IN_WATER)
         {
             seen.screen = place;
-            seen.path = end.isMet ? end.metres : end.isWhole ? longest + others : water / alongAxis;
-            bool isOffWall = end.isWhole && IsMirroredByWall(ray, longest, exit);
-            if (isOffWall || end.isWhole && GapBehind(ray, longest) > 2e-3 * ray.front)
-            {
-                before = longest;
-                straight = 0.0;
-                next = isOffWall ? LINE_OFF_WALL : LINE_BEHIND;
-                ray = StartRay(RayPoint(ray, longest), isOffWall ? reflect(bent, exit.normal) : -view);
-                reach = isOffWall ? LeaveDomain(ray.start, ray.direction).metres : FAR_BEHIND * ray.front / max(ray.depthStep, 1e-3);
-            }
+            seen.path = end.isMet ? end.metres : end.isWhole ? longest + others : seen.path;
+            next = end.isWhole && onward != LINE_NONE ? onward : next;
         }
         else if (kind == LINE_OFF_WALL)
         {
             seen.screen = place;
-            seen.path = before + min(end.metres, inLayer);
+            seen.path += min(end.metres, inLayer);
         }
         else if (kind == LINE_BEHIND)
         {
+            float2 screen = WaterScreen(world);
             float2 onward = ray.front > _ProjectionParams.y ? RayScreen(ray, 0.0) : screen;
             seen.screen = most == 0u ? onward : end.isWhole ? screen : place;
         }
-        else
+        else if (end.isMet)
         {
-            seen.mirror = float3(place, end.isMet ? PictureShare(place) : 0.0);
-        }
-        if (next == LINE_MIRRORED)
-        {
-            ray = StartRay(world, reflect(-view, normal));
-            float metres = ray.depthStep > 0.0 ? 0.9 * _ProjectionParams.z - ray.front : 0.9 * ray.front;
-            reach = RayInPicture(ray, max(metres, 0.0) / max(abs(ray.depthStep), 1e-3));
+            seen.mirror = place;
         }
         kind = next;
     }

@@ -18,6 +18,7 @@ float _ShadowStrength; // light that the shadow takes away, 0 to 1
 
 #define COARSEST_LEVEL 16.0 // beyond the last of any map, which stands for it
 
+#define SKIN 0.95 // light that a flat skin keeps back
 #define LEAST_MIRRORED 0.03 // Fresnel's share, below which the scene is not looked for
 
 #define SAME_DEPTH 0.02 // of the depth; within it things count as one
@@ -107,12 +108,21 @@ float NormalVariance(float3 normal)
     return min(0.5 * (dot(across, across) + dot(along, along)), 0.25);
 }
 
+// Its own light. A liquid of a short sight has a skin that cools where it lies flat and tears where it falls steeply, as lava has: there it
+// is brighter, in its weaker colours most.
+float3 WaterGlow(float3 normal)
+{
+    float open = 1.0 - SKIN * _FluidScattering.w * saturate(normal.y);
+    float3 share = _FluidEmission.rgb / max(max(_FluidEmission.r, max(_FluidEmission.g, _FluidEmission.b)), 1e-6);
+    return _FluidEmission.rgb * open * lerp(open, 1.0, share);
+}
+
 // What a layer sends to the camera: light that it scatters, and its own. A liquid of a short sight scatters near where light enters, so
 // that it is lit by how its surface faces the light.
 float3 WaterLayer(float3 transmitted, float3 normal, float sun)
 {
     float3 light = lerp(WaterInnerLight(sun), FluidDiffuse(1.0, normal, sun), _FluidScattering.w);
-    return (_FluidScattering.rgb * light + _FluidEmission.rgb) * (1.0 - transmitted);
+    return (_FluidScattering.rgb * light + WaterGlow(normal)) * (1.0 - transmitted);
 }
 
 float4 ShadeWater(SurfaceFragment input) : SV_Target
@@ -120,24 +130,19 @@ float4 ShadeWater(SurfaceFragment input) : SV_Target
     EYE_OF(input)
     float3 view = WaterView(input.world);
     float3 normal = SurfaceNormal(input);
-    float alongAxis = dot(view, normalize(unity_MatrixV[2].xyz));
-    float front = WaterEyeDepth(input.world);
-    float2 screen = WaterScreen(input.world);
-    float all = WaterBehind(input.world, view, alongAxis);
-    float water = clamp(SceneEyeDepth(screen) - front, 0.0, all);
-    float layer = min(FirstLayer(screen, front), all);
     float mirrored = FluidFresnel(normal, view, _FluidEmission.w);
     bool mirrors = _FluidRefractionSteps.w > 0.5 && _FluidScene.x != WATER_SCENE_NONE && mirrored > LEAST_MIRRORED;
-    SeenThrough seen = SeeThrough(input.world, view, normal, alongAxis, layer, water, mirrors);
+    SeenThrough seen = SeeThrough(input.world, view, normal, mirrors);
 
     float3 transmitted = exp(-_FluidExtinction.rgb * seen.path);
     float sun = WaterSun(input.world, normal);
     float3 body = WaterLayer(transmitted, normal, sun);
     float3 highlight = FluidHighlight(_Smoothness, normal, view, NormalVariance(normal), _FluidEmission.w) * sun;
     float3 surroundings = FluidExposed(WaterMirror(reflect(-view, normal)));
+    float share = PictureShare(seen.mirror);
     [branch]
-    if (seen.mirror.z > 0.0)
-        surroundings = lerp(surroundings, SceneColour(seen.mirror.xy), seen.mirror.z);
+    if (share > 0.0)
+        surroundings = lerp(surroundings, SceneColour(seen.mirror), share);
     float3 colour = FluidExposed(body * (1.0 - mirrored) + highlight) + surroundings * mirrored;
     float cover = 1.0;
     if (_FluidScene.x == WATER_SCENE_NONE)

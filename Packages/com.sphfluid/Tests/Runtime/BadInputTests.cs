@@ -228,6 +228,19 @@ namespace SphFluid.Tests
         }
 
         [Test]
+        public void WhatARockTakesOfAPoolIsInformation()
+        {
+            FluidSimulation simulation = rig.Create();
+            BoxCollider rock = rig.NewObject("Rock").AddComponent<BoxCollider>();
+            rock.size = new Vector3(0.4f, 0.02f, 0.02f);
+            rock.transform.position = new Vector3(0f, 0.025f, 0.025f);
+            Assert.That(simulation.StartSimulation(), simulation.StatusMessage);
+            Assert.That(simulation.ParticleCount, Is.EqualTo(60));
+            Assert.That(simulation.Messages.Single().Issue, Is.EqualTo(FluidIssue.VolumeInsideCollider));
+            Assert.That(simulation.Messages.Single().Severity, Is.EqualTo(FluidSeverity.Info));
+        }
+
+        [Test]
         public void OverlappingVolumesAreFilledOnceAndReportedAsInformation()
         {
             FluidSimulation simulation = rig.Create();

@@ -44,7 +44,7 @@ namespace SphFluid
                         ? ("has other heights or holes, or the domain went on to another part of it",
                             "Edit terrain where no liquid is, and keep the domain over one part of it.")
                         : ("has a mesh of other triangles",
-                            "Give it a mesh with the same triangles, of which only the corners are elsewhere, or change it where no " +
+                            "Give it a mesh with the same triangles, of which only the corners moved, or change it where no " +
                             "liquid is.");
                 default:
                     return ("moved too far within a frame", "Move it over more frames, or reset the simulation after it was moved.");

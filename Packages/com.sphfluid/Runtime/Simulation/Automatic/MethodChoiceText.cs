@@ -85,7 +85,7 @@ namespace SphFluid
         private static string Other(in FluidMethodCandidate candidate) =>
             candidate.Obstacle != null ? (candidate.Offer.AsTheProfileAsks ? $"{candidate.Method} {candidate.Obstacle}." : null) :
             double.IsNaN(candidate.MillisecondsAFrame)
-            ? (candidate.Offer.AsTheProfileAsks ? $"{candidate.Method} is not timed yet: it is at the start." : null) :
+            ? (candidate.Offer.AsTheProfileAsks ? $"{candidate.Method} is not timed yet; the start does that." : null) :
             candidate.Substeps > 0 ? Invariant($"{Name(candidate)} would take {candidate.Substeps} substeps = {Time(candidate)}.")
             : Invariant($"{Name(candidate)} would take {candidate.StepsAFrame:0} steps = {Time(candidate)}.");
 

@@ -59,8 +59,8 @@ namespace SphFluid
             if (save.Missing.Count == 0) return;
             string names = string.Join("', '", System.Linq.Enumerable.Take(save.Missing, MostNames));
             report(new FluidMessage(FluidSeverity.Warning, FluidIssue.SaveDiffers, spec.Owner,
-                $"The save speaks of '{names}'{(save.Missing.Count > MostNames ? $" and {save.Missing.Count - MostNames} more" : "")}, " +
-                "which the liquid does not find in the scene: it goes on without.",
+                $"The save names '{names}'{(save.Missing.Count > MostNames ? $" and {save.Missing.Count - MostNames} more" : "")}, " +
+                "which the scene does not have: the liquid goes on without.",
                 "Bring the scene's objects to where they were, under the same names, before the liquid is restored."));
         }
 

@@ -21,11 +21,17 @@
 #define LOAD_SIZE 128
 #define LOAD_WORDS (LOAD_SIZE / 32)
 
-// Groupshared memory, in words: loaded particles (centre, image of a periodic one included, and weight), masks of two
+#if defined(SURFACE_ANISOTROPIC)
+#define KERNELS 1
+#else
+#define KERNELS 2 // of a particle that is stretched: the first has its weight below 0, the second's place is LOAD_SIZE behind
+#endif
+
+// Groupshared memory, in words: kernels of loaded particles (centre, image of a periodic one included, and weight), masks of two
 // loads (one is used, the other is cleared) and the rows of cells that particles are taken from: index of a row's first
 // particle less its number, rounds (see PackTurns), end of its numbers. What a kernel does afterwards may use it again.
 #define LOADED_AT 0
-#define MASKS_AT (LOADED_AT + 4 * LOAD_SIZE)
+#define MASKS_AT (LOADED_AT + 4 * KERNELS * LOAD_SIZE)
 #define LOAD_MASKS (3 * PATCHES * LOAD_WORDS)
 #define ROW_CLUSTER 8
 #define ROW_FIRSTS_AT (MASKS_AT + 2 * LOAD_MASKS)
@@ -33,8 +39,12 @@
 #define ROW_ENDS_AT (ROW_TURNS_AT + SAMPLE_THREADS)
 #define CLUSTER_TOTALS_AT (ROW_ENDS_AT + SAMPLE_THREADS)
 #define CANDIDATE_WORDS (CLUSTER_TOTALS_AT + SAMPLE_THREADS / ROW_CLUSTER)
-#define LOADED_SHAPES_AT CANDIDATE_WORDS // indices of particles with shapes, else stretches
-#define PARTICLE_WORDS (LOADED_SHAPES_AT + LOAD_SIZE)
+#if defined(SURFACE_ANISOTROPIC)
+#define LOADED_INDICES_AT CANDIDATE_WORDS
+#define PARTICLE_WORDS (LOADED_INDICES_AT + LOAD_SIZE)
+#else
+#define PARTICLE_WORDS CANDIDATE_WORDS
+#endif
 #if VALUE_WORDS > PARTICLE_WORDS
 #define POOL_WORDS VALUE_WORDS
 #else
@@ -223,36 +233,35 @@ void ClearMasks(uint load, uint thread)
     }
 }
 
+void StoreKernel(uint place, float3 centre, float weight)
+{
+    const uint4 words = asuint(float4(centre, weight));
+    const uint at = LOADED_AT + 4u * place;
+    pool[at] = words.x;
+    pool[at + 1u] = words.y;
+    pool[at + 2u] = words.z;
+    pool[at + 3u] = words.w;
+}
+
 // Loads a particle for the patches that it reaches, if any.
 void LoadParticle(PatchReach reach, uint j, uint turns, uint load, uint place)
 {
     const float4 particle = _SurfaceParticles[j];
     precise const float3 centre = particle.xyz + _PeriodSteps * UnpackTurns(turns);
     const float3 patch = centre * reach.rate;
-#if defined(SURFACE_ANISOTROPIC)
-    const uint shape = j;
-    const float3 apart = 0.0;
-#else
-    uint shape = NO_STRETCH;
+    float3 apart = 0.0;
+#if !defined(SURFACE_ANISOTROPIC)
     [branch]
     if (particle.w < 0.0)
     {
-        shape = _Spray[j].y;
+        apart = abs(UnpackStretch(_Spray[j].y)) * (_LongestStretch * reach.rate);
     }
-    const float3 apart = abs(UnpackStretch(shape)) * (_LongestStretch * reach.rate);
 #endif
     const int3 lower = int3(ceil(max(patch - apart - reach.low, 0.0)));
     const int3 end = int3(floor(min(patch + apart + reach.high, float(PATCHES - 1)))) + 1;
     const int3 reached = particle.w != 0.0 ? end - lower : 0;
     if (min(reached.x, min(reached.y, reached.z)) > 0)
     {
-        const uint4 words = asuint(float4(centre, particle.w));
-        const uint at = LOADED_AT + 4u * place;
-        pool[at] = words.x;
-        pool[at + 1u] = words.y;
-        pool[at + 2u] = words.z;
-        pool[at + 3u] = words.w;
-        pool[LOADED_SHAPES_AT + place] = shape;
         const uint bit = 1u << (place % 32u);
         const uint masks = MasksAt(load) + place / 32u;
         for (int x = lower.x; x < end.x; x++)
@@ -267,6 +276,20 @@ void LoadParticle(PatchReach reach, uint j, uint turns, uint load, uint place)
         {
             InterlockedOr(pool[masks + uint(2 * PATCHES + z) * LOAD_WORDS], bit);
         }
+        StoreKernel(place, centre, particle.w);
+#if defined(SURFACE_ANISOTROPIC)
+        pool[LOADED_INDICES_AT + place] = j;
+#else
+        [branch]
+        if (particle.w < 0.0)
+        {
+            const float3 stretch = UnpackStretch(_Spray[j].y);
+            precise const float3 first = centre + _LongestStretch * stretch;
+            precise const float3 second = centre - _LongestStretch * stretch;
+            StoreKernel(place, first, particle.w);
+            StoreKernel(place + LOAD_SIZE, second, -particle.w);
+        }
+#endif
     }
 }
 
@@ -285,7 +308,7 @@ void LoadCandidates(PatchReach reach, uint first, uint count, uint load, uint th
     }
 }
 
-float4 LoadedParticle(uint place)
+float4 LoadedKernel(uint place)
 {
     const uint at = LOADED_AT + 4u * place;
     return asfloat(uint4(pool[at], pool[at + 1u], pool[at + 2u], pool[at + 3u]));
@@ -307,17 +330,11 @@ uint4 MaskOf(uint load, int3 patch)
         pool[x + 2u] & pool[y + 2u] & pool[z + 2u], pool[x + 3u] & pool[y + 3u] & pool[z + 3u]);
 }
 
-// Takes the lowest bit out of a mask. Worked example: of (0, 12, 0, 1), 34 = 32 + 2; the mask becomes (0, 8, 0, 1).
-uint TakeBit(inout uint4 mask)
+// Of a mask the first word with a bit, and what that word holds. Worked example: of (0, 12, 0, 1), (1, 12).
+uint2 FirstWord(uint4 mask)
 {
     const uint word = mask.x != 0u ? 0u : (mask.y != 0u ? 1u : (mask.z != 0u ? 2u : 3u));
-    const uint bits = mask.x != 0u ? mask.x : (mask.y != 0u ? mask.y : (mask.z != 0u ? mask.z : mask.w));
-    const uint rest = bits & (bits - 1u);
-    mask.x = word == 0u ? rest : mask.x;
-    mask.y = word == 1u ? rest : mask.y;
-    mask.z = word == 2u ? rest : mask.z;
-    mask.w = word == 3u ? rest : mask.w;
-    return 32u * word + firstbitlow(bits);
+    return uint2(word, mask.x != 0u ? mask.x : (mask.y != 0u ? mask.y : (mask.z != 0u ? mask.z : mask.w)));
 }
 
 #endif

@@ -31,27 +31,15 @@ PatchPlaces PlacesOf(int3 first)
     return places;
 }
 
-// Adds a kernel of a loaded particle to the samples of a patch. Along x, d . M d is left + x (tilt + x stretch). Returns whether it
-// has another.
-bool AddKernel(uint place, bool isSecond, PatchPlaces places, inout float3 sums[PATCH_ROWS])
+// Adds a kernel of a loaded particle to the samples of a patch. Along x, d . M d is left + x (tilt + x stretch).
+void AddKernel(float4 kernel, uint place, PatchPlaces places, inout float3 sums[PATCH_ROWS])
 {
-    float4 particle = LoadedParticle(place);
 #if defined(SURFACE_ANISOTROPIC)
-    const bool isStretched = false;
-    const KernelShape shape = _SurfaceShapes[pool[LOADED_SHAPES_AT + place]];
-#else
-    const bool isStretched = particle.w < 0.0;
-    [branch]
-    if (isStretched)
-    {
-        const float apart = isSecond ? -_LongestStretch : _LongestStretch;
-        precise const float3 centre = particle.xyz + apart * UnpackStretch(pool[LOADED_SHAPES_AT + place]);
-        particle = float4(centre, -particle.w);
-    }
+    const KernelShape shape = _SurfaceShapes[pool[LOADED_INDICES_AT + place]];
 #endif
-    precise const float3 x = particle.x - places.x;
-    precise const float3 y = particle.y - places.y;
-    precise const float3 z = particle.z - places.z;
+    precise const float3 x = kernel.x - places.x;
+    precise const float3 y = kernel.y - places.y;
+    precise const float3 z = kernel.z - places.z;
     [unroll]
     for (int row = 0; row < PATCH_ROWS; row++)
     {
@@ -65,10 +53,9 @@ bool AddKernel(uint place, bool isSecond, PatchPlaces places, inout float3 sums[
         precise const float3 t = saturate(mad(-x, x, left));
 #endif
         precise const float3 cube = t * t * t;
-        precise const float3 sum = mad(particle.w, cube, sums[row]);
+        precise const float3 sum = mad(abs(kernel.w), cube, sums[row]);
         sums[row] = sum;
     }
-    return isStretched && !isSecond;
 }
 
 // Adds what a load of particles gives to the samples of a patch. In one loop over all of its bits: threads that run side by
@@ -76,16 +63,17 @@ bool AddKernel(uint place, bool isSecond, PatchPlaces places, inout float3 sums[
 void AddLoad(uint load, int3 patch, PatchPlaces places, inout float3 sums[PATCH_ROWS])
 {
     uint4 mask = MaskOf(load, patch);
-    uint place = 0u;
-    bool isSecond = false;
-    while (isSecond || (mask.x | mask.y | mask.z | mask.w) != 0u)
+    uint behind = 0u;
+    while ((mask.x | mask.y | mask.z | mask.w) != 0u)
     {
-        [branch]
-        if (!isSecond)
-        {
-            place = TakeBit(mask);
-        }
-        isSecond = AddKernel(place, isSecond, places, sums);
+        const uint2 word = FirstWord(mask);
+        const uint place = 32u * word.x + firstbitlow(word.y);
+        const float4 kernel = LoadedKernel(place + behind);
+        const bool hasSecond = KERNELS == 2 && kernel.w < 0.0;
+        behind = hasSecond ? LOAD_SIZE : 0u;
+        const uint rest = hasSecond ? word.y : word.y & (word.y - 1u);
+        mask = word.x == uint4(0u, 1u, 2u, 3u) ? rest : mask;
+        AddKernel(kernel, place, places, sums);
     }
 }
 

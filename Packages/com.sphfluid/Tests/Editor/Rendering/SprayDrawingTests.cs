@@ -126,6 +126,42 @@ namespace SphFluid.Tests
             Assert.AreEqual(expected, near / free, 0.02f);
         }
 
+        // The same puff before a pane of water, and before two: only where a thick first one ends is known.
+        [TestCase(0.4f, 1, 0.15f, 1f)]
+        [TestCase(0.4f, 1, 0.075f, 0.5f)]
+        [TestCase(0.4f, 1, 0.015f, 0.1f)]
+        [TestCase(0.01f, 2, 0.065f, 0.5f)]
+        [TestCase(0.4f, 2, 0.075f, 1f)]
+        public void MistFadesTowardsTheWater(float thickness, int panes, float metres, float expected)
+        {
+            var surface = new UploadedSurface();
+            for (int i = 0; i < panes; i++) surface.Box(Vector3.forward * i, new Vector3(4f, 4f, thickness));
+            rig.Surface = surface;
+            float free = WaterRig.Centre(rig.RenderSpray(Vector3.back, Spacing, behind: false, drops: 1)).a;
+            Vector3 near = new Vector3(0f, 0f, -0.5f * thickness - metres);
+            float faded = WaterRig.Centre(rig.RenderSpray(near, Spacing, behind: false, drops: 1)).a;
+            Assert.AreEqual(expected, faded / free, 0.02f);
+        }
+
+        // As lava does; of clear water that shines, a drop is too small for it.
+        [TestCase(0.1f, 1f)]
+        [TestCase(1000f, 0f)]
+        public void ItGlowsAsItsLiquidDoes(float visibility, float expected)
+        {
+            rig.Look.Scattering = Color.white;
+            rig.Look.ColorAtOneMetre = Color.white;
+            rig.Look.Visibility = visibility;
+            rig.Box(0.4f);
+            Color Glow(Color emission)
+            {
+                rig.Look.Emission = emission;
+                return Light(rig.RenderSpray(Before, Spacing, behind: false));
+            }
+            Color glow = Glow(new Color(1f, 0f, 0f)) - Glow(Color.black);
+            Assert.AreEqual(expected, glow.r, 0.03f);
+            Assert.AreEqual(0f, glow.g + glow.b, 1e-3f);
+        }
+
         private static Vector3 Before => new Vector3(0f, 0f, -0.6f);
 
         // Of all pixels, as a share of what they cover.

@@ -66,6 +66,27 @@ namespace SphFluid.Tests
             }
         }
 
+        // Of a steep surface all, of a flat one what its skin lets out: of the weaker green still less. Clear liquid has no skin.
+        [TestCase(0.05f, 0f)]
+        [TestCase(0.05f, 0.8f)]
+        [TestCase(1f, 0.8f)]
+        public void ItsOwnLightComesThroughASkin(float visibility, float up)
+        {
+            rig.ReplaceScene((x, y) => Color.black);
+            rig.Look.Visibility = visibility;
+            rig.Look.ColorAtOneMetre = Color.black;
+            rig.Look.AbsorptionDistance = 0.1f;
+            rig.Look.Emission = new Color(1f, 0.5f, 0f);
+            float towards = Mathf.Sqrt(1f - up * up);
+            rig.Slope(new Vector3(0f, up, -towards));
+            Color pixel = WaterRig.Centre(rig.Render());
+            float open = 1f - 0.95f * rig.Look.Matt * up;
+            float enters = (1f - Reflectance) * (1f - Mathf.Pow(1f - towards, 5f));
+            Vector4 given = rig.Look.Surface;
+            Assert.AreEqual(given.x * open * enters, pixel.r, 0.01f);
+            Assert.AreEqual(given.y * open * Mathf.Lerp(open, 1f, given.y / given.x) * enters, pixel.g, 0.01f);
+        }
+
         [Test]
         public void MirrorGrowsFromTwoPercentToAll()
         {
