@@ -24,7 +24,7 @@ cd "$project"
 export LP_NUM_THREADS=1
 "$player" exec --project "$project" --assemblies "$assemblies" --executeMethod SphFluid.Validation.Editor.NewUserWalk.Write
 
-fps=10 failed=0 shown=() moments=''
+fps=12 failed=0 shown=() moments=''
 play() {
     "$player" play --project "$project" --assemblies "$assemblies" --executeMethod SphFluid.Validation.CommandLine.Play \
         --scene "Assets/NewUser/$1.unity" --seconds "$2" --fps $fps --size 480x270 --twice --out "$pictures/$1" > "$pictures/$1.log" 2>&1
