@@ -24,7 +24,7 @@ if grep -lE '@(ref|section|code|endcode)\b' Build/docs/*.html >&2; then
 fi
 perl Headless/Docs/search-words.pl Build/docs
 # What people look for.
-for word in mobile vr urp hdrp webgl honey ocean multiplayer foam performance; do
+for word in mobile phone vr urp hdrp webgl honey ocean multiplayer network foam performance slow; do
     grep -q "\['${word}_0'" Build/docs/search/all_*.js || { echo "the search does not find '$word'" >&2; exit 1; }
 done
 echo "the manual and the API reference: $PWD/Build/docs/index.html"

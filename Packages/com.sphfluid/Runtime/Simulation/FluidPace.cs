@@ -12,6 +12,9 @@ namespace SphFluid
         // The measured speed is a few frames old; liquid that hits something is faster by now.
         private const double SpeedMargin = 1.25;
 
+        // s: the margin holds for frames so long. In a longer one the liquid falls on unseen.
+        private const double SeenFrame = 0.06;
+
         // No liquid is measured to be without pressure altogether.
         private const double LeastCompression = 1e-4;
 
@@ -123,12 +126,13 @@ namespace SphFluid
 
         private void Prepare(double deltaTime, double bodyMotion)
         {
+            double gain = solver.Settings.Gravity.magnitude * Math.Max(0.0, deltaTime - SeenFrame);
             if (speeds != null)
             {
-                solver.FlowSpeed = (float)(SpeedMargin * speeds.Sample.Bulk);
-                solver.PeakSpeed = (float)Math.Max(SpeedMargin * speeds.Sample.Fastest, deltaTime > 0.0 ? bodyMotion / deltaTime : 0.0);
+                solver.FlowSpeed = (float)(SpeedMargin * speeds.Sample.Bulk + gain);
+                solver.PeakSpeed = (float)Math.Max(SpeedMargin * speeds.Sample.Fastest + gain, deltaTime > 0.0 ? bodyMotion / deltaTime : 0.0);
             }
-            if (adaptive != null) adaptive.StableStep = LongestStep();
+            if (adaptive != null) adaptive.StableStep = LongestStep(gain);
         }
 
         // A collider that moves is known before it hits.
@@ -237,7 +241,7 @@ namespace SphFluid
             }
             else if (adaptive == null || adaptive.MaxSteps != most)
             {
-                Clock = adaptive = new AdaptiveClock(LongestStep(), most);
+                Clock = adaptive = new AdaptiveClock(LongestStep(0.0), most);
             }
         }
 
@@ -278,10 +282,10 @@ namespace SphFluid
             spec.TimeStepMode == FluidTimeStepMode.Automatic && solver.StepCount == 0 ? start.InitialSpeed : solver.Settings.MaxSpeed;
 
         // Faster particles than the constants are made for shorten the steps where the mode asks for it.
-        private double LongestStep()
+        private double LongestStep(double gain)
         {
             FluidSolverSettings settings = solver.Settings;
-            double speed = SpeedMargin * speeds.Sample.Fastest;
+            double speed = SpeedMargin * speeds.Sample.Fastest + gain;
             if (spec.TimeStepMode != FluidTimeStepMode.Adaptive) speed = Math.Min(speed, settings.MaxSpeed);
             double step = FluidRules.Advise(settings, speed).Step(spec.Profile.Rules.TimeStepFraction);
             return Math.Max(step, ShortestStep * settings.TimeStep);

@@ -19,7 +19,7 @@ struct FloatingState
     float3 Velocity; // m/s
     float Time;      // s, of the steps in the sums below
     float3 AngularVelocity; // rad/s
-    float Unused0;
+    float Layer;     // mass of the particles that touch its largest side, over its own
     float3 Impulse;         // N s: what the liquid gave it since the first step of the frame
     float Unused1;
     float3 AngularImpulse;  // N m s, about the centre of mass

@@ -35,7 +35,7 @@ struct FloatingInput
     float3 PushDisplacement; // m
     uint Next;          // number of the next body that moves with it as one; 0: none
     float3 PushRotation; // rad, as a vector
-    float Unused5;
+    float Layer; // mass of the particles that touch its largest side, over its own
 };
 
 // A collider of a body, where its triangles rest in the body's frame. Mirrored by FloatingPart; 32 bytes.

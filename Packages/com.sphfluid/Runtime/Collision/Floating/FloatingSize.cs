@@ -19,6 +19,9 @@ namespace SphFluid
         // Of gravity: what pulls a smaller body. Archimedes and the water that it carries along make it 2 for a bubble.
         private const float MostPull = 3f;
 
+        // Of the mass of a layer of particles beside a body: more than one side is touched at once.
+        private const float LayerMargin = 1.5f;
+
         private readonly float spacing, density, pull, speed;
 
         public FloatingSize(in FluidSolverSettings settings)
@@ -40,6 +43,8 @@ namespace SphFluid
             input.MostPull = isSmall ? pull : 1e30f;
             input.MostSpeed = isSmall ? speed : 2f * speed;
             input.TurnsPerMetre = 2f / spacing;
+            float side = Mathf.Max(size.x * size.y, Mathf.Max(size.y * size.z, size.z * size.x));
+            input.Layer = input.InverseMass > 0f ? LayerMargin * density * side * spacing / mass : 0f;
             return isSmall;
         }
 

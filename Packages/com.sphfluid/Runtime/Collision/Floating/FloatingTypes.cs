@@ -17,7 +17,7 @@ namespace SphFluid
         public Vector3 Velocity;
         public float Time;
         public Vector3 AngularVelocity;
-        public float Unused0;
+        public float Layer;
         public Vector3 Impulse;
         public float Unused1;
         public Vector3 AngularImpulse;
@@ -64,7 +64,7 @@ namespace SphFluid
         public Vector3 PushDisplacement;
         public uint Next;
         public Vector3 PushRotation;
-        public float Unused5;
+        public float Layer;
     }
 
     /// <summary>A collider of a body; mirrored by FloatingPart in Shaders/Collision/FloatingInput.hlsl.</summary>

@@ -8,6 +8,7 @@ namespace SphFluid
     {
         private static readonly int SlopeFactor = Shader.PropertyToID("_SlopeFactor");
         private static readonly int WallPush = Shader.PropertyToID("_WallPush");
+        private static readonly int WallStiffness = Shader.PropertyToID("_WallStiffness");
         private static readonly int ViscosityFactor = Shader.PropertyToID("_ViscosityFactor");
         private static readonly int LeastSeparation = Shader.PropertyToID("_LeastSeparation");
         private static readonly int Gravity = Shader.PropertyToID("_Gravity");
@@ -45,6 +46,8 @@ namespace SphFluid
             CellBindings.SetShell(cmd, kernel, settings, step.Length);
             kernel.SetFloat(cmd, CellBindings.KickStep, KickOf(step));
             kernel.SetFloat(cmd, WallPush, (float)(settings.RestDensity / Moment(settings)));
+            float stiffness = (float)(settings.SoundSpeed / Moment(settings));
+            kernel.SetFloat(cmd, WallStiffness, KickOf(step) * step.Length * stiffness * stiffness);
             kernel.Set(cmd, state.Buffers.PositionTerms);
         }
 

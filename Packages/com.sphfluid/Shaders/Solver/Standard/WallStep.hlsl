@@ -10,6 +10,7 @@
 
 RWStructuredBuffer<float4> _NewVelocitiesOut;
 float _WallPush; // rho0 / M
+float _WallStiffness; // (c dt / M)^2, m^2
 
 struct WallStep
 {
@@ -83,6 +84,46 @@ void GivePlanes(NearWall wall, float3 position, float3 changes[WALL_PLANES])
 
 #if defined(FLUID_MESH_WALLS)
 
+#if defined(FLUID_FLOATING_BODIES)
+
+// What a particle gets in a step from a body that it moves. As from a wall that does not give way, a layer of particles and a body that
+// is lighter would throw each other off, with more energy than they had: the stiffness acts on the mass of both, and a step can bring
+// the body far into the pressure before it is felt. So the push is that of the step's end, by Euler's implicit rule, and nearer than half
+// a spacing the body and its layer close in no further, as in an inelastic impact.
+// share: of the gradient; kicked: the velocity with the push; layer: mass of the layer over that of the body.
+float3 ChangeByBody(float3 push, float3 share, float3 kicked, float4 plane, float approach, float layer)
+{
+    const float3 free = kicked - push;
+    const float size = length(push);
+    const float stiffness = _WallStiffness * dot(share, share);
+    const float late = max(0.0, size + stiffness * (approach - dot(plane.xyz, free))) / (1.0 + stiffness * (1.0 + layer));
+    const float3 yielding = size > 0.0 ? push * (late / size) : push;
+    const float least = approach - max(0.0, plane.w - 2.0 * _ShellDistance) / _TimeStep;
+    return yielding + max(0.0, least - dot(plane.xyz, free + yielding)) / (1.0 + layer) * plane.xyz;
+}
+
+void YieldToBodies(uint id, NearWall wall, float push, float3 shares[WALL_PLANES], inout float3 changes[WALL_PLANES],
+    inout float3 kicked)
+{
+    const uint numbers = LISTS[_WallBodiesBegin + id];
+    [unroll]
+    for (uint k = 0u; k < uint(WALL_PLANES); k++)
+    {
+        const uint number = (numbers >> (BODY_NUMBER_BITS * k)) & BODY_NUMBER_MASK;
+        const float layer = number != 0u ? _FloatingStates[max(number, 1u) - 1u].Layer : 0.0;
+        [branch]
+        if (layer > 0.0) // 0: one that nothing moves
+        {
+            const float3 before = -_KickStep * push * shares[k];
+            const float3 more = ChangeByBody(before, shares[k], kicked, wall.Planes[k], wall.Approach[k], layer) - before;
+            changes[k] += more;
+            kicked += more;
+        }
+    }
+}
+
+#endif
+
 // The planes of triangles. push: rho0 P / M; friction: what they take of the velocity, m/s^2; both have been added already.
 void StepAtPlanes(uint id, NearWall wall, float3 position, float push, float3 friction, inout WallStep step)
 {
@@ -94,6 +135,9 @@ void StepAtPlanes(uint id, NearWall wall, float3 position, float push, float3 fr
     {
         changes[k] = _KickStep * ((k == FrictionalPlane(wall) ? friction : float3(0.0, 0.0, 0.0)) - push * shares[k]);
     }
+#if defined(FLUID_FLOATING_BODIES)
+    YieldToBodies(id, wall, push, shares, changes, step.Kicked);
+#endif
     step.Kicked = MeshShell(wall, step.Kicked, changes);
 #if defined(FLUID_WALL_FORCES)
     GivePlanes(wall, position, changes);
