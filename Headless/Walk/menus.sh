@@ -15,7 +15,7 @@ project=$(mktemp -d)
 trap 'rm -rf "$project"' EXIT
 mkdir -p "$project/Assets" "$project/Packages" "$pictures"
 cp -r "$root/ProjectSettings" "$project"
-cp -r "$root"/Assets/Settings{,.meta} "$project/Assets"
+cp -r "$root"/Assets/Settings{,.meta} "$root/Packages/com.sphfluid/Samples~/GettingStarted/Materials" "$project/Assets"
 printf 'm_EditorVersion: 6000.5.2f1\nm_EditorVersionWithRevision: 6000.5.2f1 (5849259a85f3)\n' > "$project/ProjectSettings/ProjectVersion.txt"
 sed 's/\("com.unity.test-framework": \)"[^"]*"/\1"1.7.0"/' "$root/Packages/manifest.json" > "$project/Packages/manifest.json"
 cp -r "$root/Packages/com.sphfluid" "$project/Packages"

@@ -17,7 +17,7 @@ namespace SphFluid.Validation.Editor
     /// </summary>
     public static class NewUserWalk
     {
-        private const string DefaultFolder = "Assets/NewUser";
+        private const string DefaultFolder = "Assets/NewUser", FloorMaterial = "Assets/Materials/Ground.mat";
 
         /// <summary>Writes the scenes; ends with exit code 1 where one cannot be saved, or its set-up has a message.</summary>
         public static void Write()
@@ -43,7 +43,9 @@ namespace SphFluid.Validation.Editor
             EditorSceneManager.NewScene(NewSceneSetup.DefaultGameObjects);
             Camera.main.transform.position = new Vector3(1.1f, 1.25f, -1.9f);
             Camera.main.transform.LookAt(new Vector3(0f, 0.5f, 0f));
-            GameObject.CreatePrimitive(PrimitiveType.Plane);
+            GameObject floor = GameObject.CreatePrimitive(PrimitiveType.Plane);
+            var material = AssetDatabase.LoadAssetAtPath<Material>(FloorMaterial); // the player has no shader Lit
+            if (material != null) floor.GetComponent<MeshRenderer>().sharedMaterial = material;
         }
 
         private static bool Step(string folder, string name, Action menu)
