@@ -130,7 +130,8 @@ namespace SphFluid
             if (speeds != null)
             {
                 solver.FlowSpeed = (float)(SpeedMargin * speeds.Sample.Bulk + gain);
-                solver.PeakSpeed = (float)Math.Max(SpeedMargin * speeds.Sample.Fastest + gain, deltaTime > 0.0 ? bodyMotion / deltaTime : 0.0);
+                solver.PeakSpeed = (float)Math.Max(SpeedMargin * speeds.Sample.Fastest + gain,
+                    deltaTime > 0.0 ? bodyMotion / deltaTime : 0.0);
             }
             if (adaptive != null) adaptive.StableStep = LongestStep(gain);
         }
