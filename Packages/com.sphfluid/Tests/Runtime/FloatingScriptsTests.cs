@@ -107,7 +107,8 @@ namespace SphFluid.Tests
 
             string figures = $"{rate} Hz: second difference {1000f * jerk} mm, {1000f * twist} mrad, over {way} m";
             Assert.That(way, Is.GreaterThan(0.01f), "it bobs");
-            Assert.That(jerk, Is.LessThan(rate == 60 ? 0.004f : 0.0008f), figures);
+            // The water stops it by up to 1.5 g, which is 4 mm at 60 Hz; a correction that is drawn as a jump is a centimetre.
+            Assert.That(jerk, Is.LessThan(rate == 60 ? 0.006f : 0.0015f), figures);
             Assert.That(twist, Is.LessThan(rate == 60 ? 0.012f : 0.006f), figures);
         }
 
