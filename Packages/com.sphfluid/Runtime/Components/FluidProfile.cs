@@ -73,6 +73,11 @@ namespace SphFluid
             "for twice the time. 4 suits liquid that is about 20 particles deep at 60 frames a second.")]
         private int substeps = 4;
 
+        [SerializeField,
+            Tooltip("Corrects the gradient of the pressure where particles are arranged unevenly, and evens out the noise of the density: " +
+            "waves last longer and keep their speed, for about a fifth more time a step. Standard method only.")]
+        private bool gradientCorrection;
+
         [SerializeField, Range(0f, 0.05f), Tooltip("Least kinematic viscosity that keeps the liquid calm, as a multiple of " +
             "speed of sound times support radius. The Standard method takes a tenth of it.")]
         private float viscosityRatio = 0.01f;
@@ -140,6 +145,11 @@ namespace SphFluid
         /// <summary>Equal steps that a frame is cut into; Robust method, 1 to 32.</summary>
         public int Substeps { get => substeps; set { substeps = value; Touch(); } }
 
+        /// <summary>
+        /// Whether the pressure's gradient is corrected for uneven arrangements of particles, so that waves last; method Standard.
+        /// </summary>
+        public bool GradientCorrection { get => gradientCorrection; set { gradientCorrection = value; Touch(); } }
+
         /// <summary>Least kinematic viscosity over c · R with the thesis method; Standard takes a tenth of it, 0 to 0.05.</summary>
         public float ViscosityRatio { get => viscosityRatio; set { viscosityRatio = value; Touch(); } }
 
@@ -200,6 +210,7 @@ namespace SphFluid
                 rules.MaxCompression = maxCompression;
                 rules.TimeStepFraction = timeStepFraction;
                 rules.Substeps = substeps;
+                rules.GradientCorrection = gradientCorrection;
                 rules.ViscosityRatio = viscosityRatio;
                 rules.WallDistanceRatio = wallDistanceRatio;
                 rules.WallStiffnessRatio = wallStiffnessRatio;

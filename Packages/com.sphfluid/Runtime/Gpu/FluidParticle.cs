@@ -30,8 +30,8 @@ namespace SphFluid
         /// <summary>Velocity at the time of the last force [m/s], one step before <see cref="Position"/>.</summary>
         public Vector3 VelT1;
 
-        /// <summary>Unused; keeps the vectors on 16 bytes.</summary>
-        public float Pad;
+        /// <summary>What the gradient correction adds to the density [kg/m³]; 0 where it is not known yet, and without it.</summary>
+        public float DensityOffset;
 
         /// <summary>A particle at the start of a simulation.</summary>
         /// <param name="position">Position [m], simulation space.</param>
@@ -44,7 +44,7 @@ namespace SphFluid
             VelT0 = velocity;
             Removed = 0f;
             VelT1 = velocity;
-            Pad = 0f;
+            DensityOffset = 0f;
         }
 
         /// <summary>Whether there is no particle; drawing and measurements pass it over.</summary>

@@ -53,6 +53,9 @@ namespace SphFluid
         /// <summary>Contact angle of the liquid at walls [degrees], 0 to 180; with <see cref="SurfaceTension"/>.</summary>
         public float ContactAngle;
 
+        /// <summary>Whether the pressure's gradient is corrected for uneven arrangements of particles; method Standard.</summary>
+        public bool GradientCorrection;
+
         /// <summary>κ = R/dx.</summary>
         public float SupportRatio;
 

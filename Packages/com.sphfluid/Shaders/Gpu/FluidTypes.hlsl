@@ -15,7 +15,7 @@ struct Particle
     float3 VelT0; // velocity half a step after the last force
     float Removed; // 1: no particle, the rest is 0
     float3 VelT1; // velocity at the time of the last force
-    float Pad;
+    float DensityOffset; // what the gradient correction adds to the density, kg/m^3
 };
 
 // Index of a thread in a one-dimensional dispatch that continues in y after MAX_GROUPS groups:

@@ -6,7 +6,8 @@ namespace SphFluid
     /// <summary>Records the globals that several kernels share, by the files of Shaders/Solver/Cells that declare them.</summary>
     internal static class CellBindings
     {
-        private const string MeshWalls = FluidState.MeshWalls, FloatingBodies = "FLUID_FLOATING_BODIES", Carries = "FLUID_CARRIES";
+        private const string MeshWalls = FluidState.MeshWalls, FloatingBodies = "FLUID_FLOATING_BODIES", Carries = "FLUID_CARRIES",
+            CarriesBesides = "FLUID_CARRIES_BESIDES";
 
         /// <summary>What a method takes along in the sort, to read and to write.</summary>
         public static readonly int Carried = Shader.PropertyToID("_Carried"), CarriedOut = Shader.PropertyToID("_CarriedOut");
@@ -134,8 +135,19 @@ namespace SphFluid
         /// <returns>Whether this one does.</returns>
         public static bool SetCarries(CommandBuffer cmd, ComputeKernel kernel, CellState state)
         {
-            kernel.SetKeyword(cmd, Carries, state.Carried != null);
+            bool besides = SetCarriesBesides(cmd, kernel, state);
+            kernel.SetKeyword(cmd, Carries, state.Carried != null && !besides);
             return state.Carried != null;
+        }
+
+        /// <summary>The keyword of methods that take something along besides what the new positions have.</summary>
+        /// <returns>Whether this one does, and the kernel has to know.</returns>
+        public static bool SetCarriesBesides(CommandBuffer cmd, ComputeKernel kernel, CellState state)
+        {
+            if (!kernel.HasKeyword(CarriesBesides)) return false;
+            bool besides = state.Carried != null && state.CarriesBesides;
+            kernel.SetKeyword(cmd, CarriesBesides, besides);
+            return besides;
         }
 
         /// <summary>The keyword of bodies that the liquid moves.</summary>

@@ -64,6 +64,12 @@ namespace SphFluid
         /// <summary>The same in the order of the sort.</summary>
         public virtual FluidBuffer CarriedSorted => null;
 
+        /// <summary>
+        /// Whether that is besides what <see cref="CellBuffers.NewPositions"/> take along, and its w a particle's
+        /// <see cref="FluidParticle.DensityOffset"/>.
+        /// </summary>
+        public virtual bool CarriesBesides => false;
+
         /// <summary>Whether settings and device allow lists of neighbours.</summary>
         public bool MayListNeighbours => ListLength(Capacity) > 0;
 

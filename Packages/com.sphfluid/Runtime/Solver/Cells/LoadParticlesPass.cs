@@ -31,6 +31,7 @@ namespace SphFluid
                 load.SetOut(cmd, state.Buffers.NewPositions);
                 load.SetOut(cmd, state.Buffers.NewVelocities);
                 CellBindings.SetCounts(cmd, load, state);
+                if (CellBindings.SetCarriesBesides(cmd, load, state)) load.SetBuffer(cmd, CellBindings.CarriedOut, state.Carried);
                 load.DispatchThreads(cmd, state.LoadedCount);
             }
         }

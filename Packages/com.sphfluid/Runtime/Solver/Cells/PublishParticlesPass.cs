@@ -22,7 +22,8 @@ namespace SphFluid
             {
                 CellBindings.SetCells(cmd, particles, state);
                 particles.SetInt(cmd, ParticleCount, state.ParticleCount);
-                particles.Set(cmd, state.Buffers.Positions);
+                if (CellBindings.SetCarriesBesides(cmd, particles, state)) particles.SetBuffer(cmd, CellBindings.Carried, state.Carried);
+                else particles.Set(cmd, state.Buffers.Positions);
                 particles.Set(cmd, state.Buffers.Velocities);
                 particles.Set(cmd, state.List.Densities);
                 particles.Set(cmd, state.Buffers.PositionTerms);

@@ -59,16 +59,14 @@ namespace SphFluid
         private static void BindTarget(CommandBuffer cmd, ComputeKernel kernel, CellState state)
         {
             state.List.SetMeeting(cmd, kernel, state);
-            if (CellBindings.SetCarries(cmd, kernel, state))
+            bool carries = CellBindings.SetCarries(cmd, kernel, state);
+            if (carries)
             {
                 kernel.SetBuffer(cmd, CellBindings.Carried, state.Carried);
-                kernel.SetOut(cmd, state.CarriedSorted);
-            }
-            else
-            {
-                kernel.SetOut(cmd, state.Buffers.PositionTerms);
+                kernel.SetBuffer(cmd, CellBindings.CarriedOut, state.CarriedSorted);
             }
 
+            if (!carries || state.CarriesBesides) kernel.SetOut(cmd, state.Buffers.PositionTerms);
             kernel.SetOut(cmd, state.Buffers.Positions);
             kernel.SetOut(cmd, state.Buffers.Velocities);
         }

@@ -27,6 +27,9 @@ namespace SphFluid
         /// <summary>Whether walls have to push by their whole profile while it acts: <see cref="CellState.SteepestWall"/>.</summary>
         public virtual bool NeedsWholeWalls => false;
 
+        /// <summary>Whether it takes something along in the sort: its buffers are <see cref="ICarriedBuffers"/>.</summary>
+        public virtual bool Carries => false;
+
         /// <summary>Its constants by rule.</summary>
         /// <param name="input">The liquid.</param>
         /// <param name="settings">Settings that take them.</param>
@@ -56,6 +59,16 @@ namespace SphFluid
 
         /// <summary>Makes its passes.</summary>
         public abstract ForcePasses MakePasses(FluidShaderSet shaders);
+
+        /// <summary>Records its part in StandardDensity.compute.</summary>
+        public virtual void SetDensity(CommandBuffer cmd, ComputeKernel kernel, StandardState state)
+        {
+        }
+
+        /// <summary>Records its part in PairForces.hlsl.</summary>
+        public virtual void SetMotion(CommandBuffer cmd, ComputeKernel kernel, StandardState state, in FluidStep step)
+        {
+        }
     }
 
     /// <summary>The passes of a <see cref="ParticleForce"/>.</summary>

@@ -63,6 +63,7 @@ namespace SphFluid
             kernel.SetVector(cmd, Impact, state.Impact);
             kernel.SetFloat(cmd, SuctionFloor, settings.PressureClamp ? 0f : -settings.RestDensity);
             kernel.SetOut(cmd, state.Buffers.PositionTerms);
+            foreach (ParticleForce force in StandardForces.All) force.SetDensity(cmd, kernel, state);
             if (state.HasBodies) kernel.SetOut(cmd, state.Walls.Contacts);
             kernel.Set(cmd, state.Published.Counters);
         }

@@ -10,6 +10,7 @@ namespace SphFluid
         /// <summary>The forces; a line each.</summary>
         public static readonly IReadOnlyList<ParticleForce> All = new ParticleForce[]
         {
+            new GradientCorrectionForce(),
             new SurfaceTensionForce(),
         };
 

@@ -18,6 +18,11 @@ namespace SphFluid
 
         private readonly Dictionary<ParticleForce, BufferSet> forces = new Dictionary<ParticleForce, BufferSet>();
 
+        private ICarriedBuffers carried;
+
+        /// <summary>Whether the present step goes on in the order of an earlier one.</summary>
+        public bool KeepsOrder { get; set; }
+
         /// <summary>How far the density is taken ahead where it grows, over the step before; 0 where that step is not known.</summary>
         public Vector2 Impact { get; set; }
 
@@ -26,6 +31,15 @@ namespace SphFluid
 
         /// <inheritdoc/>
         public override bool HasStableOrder => Own.StableOrder;
+
+        /// <inheritdoc/>
+        public override FluidBuffer Carried => carried?.Carried;
+
+        /// <inheritdoc/>
+        public override FluidBuffer CarriedSorted => carried?.Sorted;
+
+        /// <inheritdoc/>
+        public override bool CarriesBesides => true;
 
         /// <inheritdoc/>
         protected override bool WantsLists => Own.NeighbourList;
@@ -42,7 +56,30 @@ namespace SphFluid
         /// <summary>Makes the buffers of a force, if they are not there.</summary>
         public void RequireForce(ParticleForce force)
         {
-            if (!forces.ContainsKey(force)) forces.Add(force, force.MakeBuffers(Capacity, IsPlanned));
+            if (!forces.ContainsKey(force)) Keep(force, force.MakeBuffers(Capacity, IsPlanned));
+        }
+
+        /// <summary>
+        /// Makes what forces that act take along in the sort, and drops what those that do not act took: it would be of another order.
+        /// </summary>
+        public void RequireCarried()
+        {
+            foreach (ParticleForce force in StandardForces.All)
+            {
+                if (!force.Carries) continue;
+                if (force.Acts(Own)) RequireForce(force);
+                else if (forces.Remove(force, out BufferSet buffers))
+                {
+                    carried = null;
+                    Retired.Add(buffers);
+                }
+            }
+        }
+
+        /// <summary>Behind a sort: what was taken along is in its order.</summary>
+        public void ExchangeCarried()
+        {
+            if (carried != null) FluidBuffer.Exchange(carried.Carried, carried.Sorted);
         }
 
         /// <summary>Buffers of a force, by their type; null where it never acted.</summary>
@@ -66,8 +103,14 @@ namespace SphFluid
             {
                 BufferSet buffers = force.MakeBuffers(capacity, false);
                 replaced.Add(forces[force]);
-                forces[force] = buffers;
+                Keep(force, buffers);
             }
+        }
+
+        private void Keep(ParticleForce force, BufferSet buffers)
+        {
+            forces[force] = buffers;
+            carried = buffers as ICarriedBuffers ?? carried;
         }
     }
 }

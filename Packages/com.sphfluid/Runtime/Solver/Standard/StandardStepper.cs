@@ -41,6 +41,7 @@ namespace SphFluid
         /// <inheritdoc/>
         public override void RecordLoad(CommandBuffer cmd)
         {
+            state.RequireCarried();
             base.RecordLoad(cmd);
             isLoaded = false;
             lastStep = 0f;
@@ -56,12 +57,14 @@ namespace SphFluid
         public override void RecordNeighbourSetup(CommandBuffer cmd)
         {
             state.RequireList();
+            state.RequireCarried();
             bool isAnew = Order == ParticleOrder.Sorted; // the density before is gone
             state.Impact = lastStep > 0f && !isAnew ? StandardRules.Impact(state.Settings, lastStep) : Vector2.zero;
             if (Order == ParticleOrder.Counted)
             {
                 state.ListTime = isLoaded ? listTime : 0f; // which of the particles just loaded are at a surface is not known yet
                 Sort(cmd);
+                state.ExchangeCarried();
                 isLoaded = true;
             }
             else if (Order == ParticleOrder.Left) // what the last step left is what this one begins with
@@ -70,7 +73,7 @@ namespace SphFluid
                 Order = ParticleOrder.Kept;
             }
 
-            bool isKept = Order == ParticleOrder.Kept;
+            bool isKept = state.KeepsOrder = Order == ParticleOrder.Kept;
             if (state.HasBodies)
             {
                 state.RequireWalls();

@@ -3,12 +3,15 @@
 
 // What neighbours do to a particle: symmetric pressure, the parting of close pairs and laminar viscosity (Morris et al. 1997),
 //   a_i = -(1/M) (m sum_j (P_i + P_j) grad W - (2 nu m / rho0) sum_j (W'/r) (v_i - v_j)).
-// A kernel that includes this file has the keyword FLUID_PERIODIC, or defines it, and FLUID_MESH_WALLS.
+// A kernel that includes this file has the keyword FLUID_PERIODIC, or defines it, and FLUID_MESH_WALLS and FLUID_GRADIENT_CORRECTION.
 #include "../Cells/CellRows.hlsl"
 #include "../Cells/NeighbourList.hlsl"
 #include "../Cells/Wendland.hlsl"
 #include "../Cells/ClosePairs.hlsl"
 #include "../Cells/MeshWalls.hlsl"
+#if defined(FLUID_GRADIENT_CORRECTION)
+#include "GradientCorrection/CorrectedPressure.hlsl"
+#endif
 
 StructuredBuffer<float4> _PositionTerms; // present place, P
 StructuredBuffer<float4> _Velocities;
@@ -22,7 +25,19 @@ struct PairSums
     float3 Push;
     float3 Drag; // without the viscosity
     float Weight; // of the drag: the sum of the slopes
+#if defined(FLUID_GRADIENT_CORRECTION)
+    CorrectedSums Corrected;
+#endif
 };
+
+PairSums NoPairs(uint id)
+{
+    PairSums sums = (PairSums)0;
+#if defined(FLUID_GRADIENT_CORRECTION)
+    sums.Corrected = OwnCorrection(id);
+#endif
+    return sums;
+}
 
 bool ShareAPlace(float distanceSquared)
 {
@@ -48,6 +63,9 @@ float AddNeighbour(inout PairSums sums, uint entry, float3 position, float3 velo
     sums.Push += (slope * (pressure + place.w) + ClosePair(distanceSquared, dot(d, relativeVelocity))) * d;
     sums.Drag += slope * relativeVelocity;
     sums.Weight += slope;
+#if defined(FLUID_GRADIENT_CORRECTION)
+    AddCorrected(sums.Corrected, j, pressure, place.w, slope, d, relativeVelocity);
+#endif
     return distanceSquared;
 }
 
@@ -63,7 +81,7 @@ void PartFromPlace(inout PairSums sums, uint id, uint entry, float3 position, fl
 // Two of the list in a turn: their loads do not wait for each other. An odd list ends with the particle itself.
 PairSums ListedNeighbours(uint id, uint count, float3 position, float3 velocity, float pressure)
 {
-    PairSums sums = (PairSums)0;
+    PairSums sums = NoPairs(id);
     float leastSquared = 1.0 / (_InverseSupport * _InverseSupport); // to the nearest
     float secondSquared = leastSquared; // of the turn before: the last may be the particle itself
     const uint begin = ListPlace(id, 0u);
@@ -103,6 +121,10 @@ PairSums NeighbourSums(uint id, float3 position, float3 velocity, float pressure
             AddNeighbour(sums, other, parted, velocity, pressure);
         }
     }
+#if defined(FLUID_GRADIENT_CORRECTION)
+    sums.Push += sums.Corrected.Push;
+    MoveOffset(id, sums.Corrected, WallsOf(WallSlot(id), position).Gradient);
+#endif
     return sums;
 }
 

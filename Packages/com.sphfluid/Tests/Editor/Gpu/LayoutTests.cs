@@ -36,7 +36,7 @@ namespace SphFluid.Tests
                 VelT0 = new Vector3(5f, 6f, 7f),
                 Removed = 8f,
                 VelT1 = new Vector3(9f, 10f, 11f),
-                Pad = 12f,
+                DensityOffset = 12f,
             };
             using (GraphicsBuffer particles = GpuBuffers.Create("Particles", 2, FluidParticle.Stride))
             using (GraphicsBuffer values = GpuBuffers.Create("Values", 12, sizeof(float)))

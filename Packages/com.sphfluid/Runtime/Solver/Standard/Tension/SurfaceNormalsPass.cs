@@ -22,7 +22,7 @@ namespace SphFluid
             double radius = settings.SupportRadius;
             using (Sample(cmd))
             {
-                TensionBindings.Set(cmd, kernel, state);
+                PairBindings.Set(cmd, kernel, state);
                 kernel.SetFloat(cmd, NormalFactor,
                     (float)(radius * settings.ParticleMass * WendlandKernel.SlopeFactor(radius) / settings.RestDensity));
                 kernel.SetFloat(cmd, WallNormal, (float)(0.5 * radius * CapillaryRules.WallShare(state.Own.ContactAngle)));

@@ -26,7 +26,7 @@ namespace SphFluid
             double cohesion = CapillaryRules.Cohesion(own.SurfaceTension, settings.Spacing, radius / settings.Spacing);
             using (Sample(cmd))
             {
-                TensionBindings.Set(cmd, kernel, state);
+                PairBindings.Set(cmd, kernel, state);
                 kernel.SetFloat(cmd, PairPull,
                     (float)(2.0 * cohesion * settings.ParticleMass * WendlandKernel.SlopeFactor(radius) / (density * density)));
                 kernel.SetFloat(cmd, NormalPull, (float)CapillaryRules.NormalPull(own.SurfaceTension, settings));

@@ -18,7 +18,7 @@ namespace SphFluid.Tests
                 particles[i].Id = (uint)random.Next();
                 particles[i].VelT1 = ParticleSets.RandomVector(random);
                 particles[i].Removed = i % 2;
-                particles[i].Pad = i;
+                particles[i].DensityOffset = i;
             }
 
             int[] order = Enumerable.Range(0, count).OrderBy(_ => random.Next()).ToArray();

@@ -2,8 +2,8 @@ using UnityEngine.Rendering;
 
 namespace SphFluid
 {
-    /// <summary>TensionPairs.hlsl: neighbours and walls for the passes of surface tension.</summary>
-    internal static class TensionBindings
+    /// <summary>ListedPairs.hlsl: neighbours and walls for the passes of forces.</summary>
+    internal static class PairBindings
     {
         public static void Set(CommandBuffer cmd, ComputeKernel kernel, StandardState state)
         {

@@ -1,0 +1,29 @@
+using UnityEngine.Rendering;
+
+namespace SphFluid
+{
+    /// <summary>Moments of each particle's neighbours at a sort.</summary>
+    internal sealed class GradientMomentsPass : ComputePass
+    {
+        private static readonly int MomentFactor = Id("_MomentFactor");
+
+        private readonly ComputeKernel kernel;
+
+        public GradientMomentsPass(FluidShaderSet shaders)
+            : base(shaders, "GradientMoments")
+        {
+            kernel = Kernel();
+        }
+
+        public void Record(CommandBuffer cmd, StandardState state)
+        {
+            using (Sample(cmd))
+            {
+                PairBindings.Set(cmd, kernel, state);
+                kernel.SetFloat(cmd, MomentFactor, (float)GradientCorrectionForce.SlopeFactor(state.Settings));
+                kernel.SetOut(cmd, state.ForceBuffers<GradientCorrectionBuffers>().Moments);
+                kernel.DispatchThreads(cmd, state.ParticleCount);
+            }
+        }
+    }
+}
