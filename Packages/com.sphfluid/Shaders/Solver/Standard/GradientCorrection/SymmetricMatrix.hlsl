@@ -75,13 +75,13 @@ SymmetricMatrix Correction(SymmetricMatrix a, float part)
     const float second = p > 1e-7 ? (first - InverseSlope(own.y, own.z, x.y - x.z)) / max(x.x - x.z, 1e-7) : 0.0;
     // 1/max(a, 1/2) = f + first (k - x1) + second (k - x1)(k - x2)
     const float constant = 1.0 / max(own.x, LEAST_EIGENVALUE) - first * x.x + second * x.x * x.y - 1.0;
-    const float linear = first - second * (x.x + x.y);
+    const float rise = first - second * (x.x + x.y);
     const float3 d = k.Diagonal;
     const float3 s = k.Shear;
     const float3 squares = s * s;
     SymmetricMatrix correction;
-    correction.Diagonal = weight * (constant + linear * d + second * (d * d + squares.yzx + squares.zxy));
-    correction.Shear = weight * (linear * s + second * (s * (d.yzx + d.zxy) + s.yzx * s.zxy));
+    correction.Diagonal = weight * (constant + rise * d + second * (d * d + squares.yzx + squares.zxy));
+    correction.Shear = weight * (rise * s + second * (s * (d.yzx + d.zxy) + s.yzx * s.zxy));
     return correction;
 }
 
