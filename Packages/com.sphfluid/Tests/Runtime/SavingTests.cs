@@ -232,6 +232,22 @@ namespace SphFluid.Tests
         }
 
         [UnityTest]
+        public IEnumerator WithTheGradientCorrection()
+        {
+            rig.Profile.GradientCorrection = true;
+            AddPaddle();
+            AddNozzle();
+            AddDrain();
+            yield return CheckContinuation(AddCrate(), 16);
+            Assert.That(SimulationRig.Read(simulation).Count(p => p.DensityOffset != 0f), Is.GreaterThan(100));
+            byte[] save = Save();
+            rig.Profile.GradientCorrection = false;
+            Assert.That(simulation.Restore(new MemoryStream(save)), simulation.StatusMessage);
+            yield return Play(2);
+            Assert.That(SimulationRig.Read(simulation).Count(p => p.DensityOffset != 0f), Is.Zero);
+        }
+
+        [UnityTest]
         public IEnumerator InTheFrameInWhichABodyGoes()
         {
             Rigidbody crate = AddCrate();

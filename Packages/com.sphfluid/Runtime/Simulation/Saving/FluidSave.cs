@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.IO;
 using UnityEngine;
@@ -11,7 +12,7 @@ namespace SphFluid
     internal sealed class FluidSave
     {
         public const string About = "ABOUT", Liquid = "LIQUID", Particles = "PARTICLE", Run = "RUN", Pace = "PACE", Flows = "FLOWS",
-            Zones = "ZONES", Colliders = "COLLIDER", Floats = "FLOATS", Choice = "CHOICE";
+            Zones = "ZONES", Colliders = "COLLIDER", Floats = "FLOATS", Choice = "CHOICE", Offsets = "OFFSETS";
 
         private readonly Dictionary<string, byte[]> sections;
         private readonly List<string> missing = new List<string>();
@@ -29,6 +30,7 @@ namespace SphFluid
             { Gravity = liquid.Read<Vector3>() };
             Progress = liquid.Read<SolverProgress>();
             Live = SavedParticles.Load(Section(Particles));
+            if (Has(Offsets)) SavedParticles.LoadOffsets(Section(Offsets), Live);
         }
 
         /// <summary>Device and driver that it was made on.</summary>
@@ -66,9 +68,16 @@ namespace SphFluid
             liquid.Write(start.Gravity);
             solver.ReadCountersNow();
             liquid.Write(solver.Progress);
+            FluidParticle[] live = SavedParticles.Read(solver);
             var particles = new SaveWriter();
-            SavedParticles.Save(particles, SavedParticles.Read(solver));
+            SavedParticles.Save(particles, live);
             var sections = new List<(string, SaveWriter)> { (About, about), (Liquid, liquid), (Particles, particles) };
+            if (Array.Exists(live, p => p.DensityOffset != 0f))
+            {
+                var offsets = new SaveWriter();
+                SavedParticles.SaveOffsets(offsets, live);
+                sections.Add((Offsets, offsets));
+            }
             if (start.Choice == null) return sections;
             var choice = new SaveWriter();
             start.Choice.Save(choice);

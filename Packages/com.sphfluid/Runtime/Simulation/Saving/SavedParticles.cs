@@ -47,5 +47,18 @@ namespace SphFluid
             }
             return particles;
         }
+
+        /// <summary>Writes what a correction adds to the densities, in the order of <see cref="Save"/>.</summary>
+        public static void SaveOffsets(SaveWriter writer, FluidParticle[] particles) =>
+            writer.WriteItems(Array.ConvertAll(particles, p => p.DensityOffset), particles.Length);
+
+        /// <summary>Gives particles what <see cref="SaveOffsets"/> wrote.</summary>
+        /// <exception cref="InvalidDataException">There are not as many.</exception>
+        public static void LoadOffsets(SaveReader reader, FluidParticle[] particles)
+        {
+            float[] offsets = reader.ReadItems<float>();
+            if (offsets.Length != particles.Length) throw new InvalidDataException("has not as many offsets of the density as particles");
+            for (int i = 0; i < offsets.Length; i++) particles[i].DensityOffset = offsets[i];
+        }
     }
 }

@@ -6,6 +6,7 @@
 //   do_i/dt = 0.1 R c sum_j (m/rho0) (-W'/r) (rho_j - rho_i - (rho0/c^2) g.(x_j - x_i)) + ...
 // Made for the pass that goes through the pairs anyway.
 #include "SymmetricMatrix.hlsl"
+#include "OffsetStart.hlsl"
 
 RWStructuredBuffer<uint4> _CorrectionsOut; // B - 1 as half floats until the next sort, and the bits of o, kg/m^3; 0: not known yet
 float _RestDensity;
@@ -49,10 +50,12 @@ void AddCorrected(inout CorrectedSums sums, uint other, float pressure, float ot
     sums.Rate += slope * _Diffusivity * (DensityNoLessThanRest(other) - sums.Density);
 }
 
-// What the summed density lacks at a flat surface, over rho0, by R |grad C|: within 5 % of a lattice's, kappa = 2.25.
+// What the summed density lacks at a flat surface, over rho0, by R |grad C|: within 5 % of a lattice's, kappa = 2.25, whose topmost layer
+// has 1.44.
 float Deficit(float gradient)
 {
-    return gradient * (0.0488 + 0.0966 * gradient);
+    const float flat = min(gradient, 1.44);
+    return flat * (0.0488 + 0.0966 * flat);
 }
 
 // wallGradient: of what walls add to the density, 1/m. After all neighbours.
@@ -66,8 +69,10 @@ void MoveOffset(uint id, CorrectedSums sums, float3 wallGradient)
     const float target = gradient > 0.3 ? filled : 0.0;
     const float fading = offset > max(most, 0.01 * _RestDensity) ? _OffsetFading.y : _OffsetFading.x;
     const float diffused = _OffsetFactor * (sums.Rate + _Diffusivity * dot(_HydrostaticSlope, sums.Slope));
-    const float next = offset == 0.0 ? filled : offset + fading * (target - offset) + diffused;
-    _CorrectionsOut[id].w = asuint(abs(next) < _RestDensity ? next : 0.0); // what is not a number is not known
+    const bool starts = offset == 0.0;
+    const float next = starts ? filled : offset + fading * (target - offset) + diffused;
+    const uint bits = asuint(abs(next) < _RestDensity ? next : 0.0); // what is not a number is not known
+    _CorrectionsOut[id].w = starts && bits != 0u ? bits | OFFSET_STARTS : bits & ~OFFSET_STARTS;
 }
 
 #endif

@@ -1,0 +1,162 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using UnityEngine;
+
+namespace SphFluid.Tests
+{
+    /// <summary>The gradient correction over all pairs in double precision; symmetric matrices as xx, yy, zz, yz, zx, xy.</summary>
+    internal static class CorrectionReference
+    {
+        /// <summary>Settings with the correction.</summary>
+        public static FluidSolverSettings Corrected(in FluidSolverSettings settings) =>
+            settings.WithOwn((ref StandardSettings own) => own.GradientCorrection = true);
+
+        /// <summary>Neighbours within R, and the separations from them.</summary>
+        public static IEnumerable<(int Other, Double3 Separation)> Near(FluidSolverSettings settings,
+            IReadOnlyList<FluidParticle> particles, int i) =>
+                Enumerable.Range(0, particles.Count).Where(j => j != i)
+                    .Select(j => (j, ThesisReference.Separation(particles[i], particles[j], settings.PeriodLength)))
+                    .Where(pair => pair.Item2.Length < settings.SupportRadius);
+
+        /// <summary>Σ (m/ρ0)(−W'/r) d dᵀ and the walls' layers.</summary>
+        public static double[] Moment(in FluidSolverSettings settings, IReadOnlyList<FluidParticle> particles, int i)
+        {
+            double radius = settings.SupportRadius, volume = settings.ParticleMass / (double)settings.RestDensity;
+            var moment = new double[6];
+            foreach ((int _, Double3 d) in Near(settings, particles, i))
+            {
+                AddProduct(moment, -volume * StandardReference.Slope(d.Length, radius) / d.Length, d);
+            }
+            Double3 p = particles[i].Position, half = 0.5f * settings.DomainSize;
+            for (int axis = 0; axis < 3; axis++)
+            {
+                if (settings.PeriodLength[axis] > 0f) continue;
+                foreach (double distance in new[] { half[axis] + p[axis], half[axis] - p[axis] })
+                {
+                    for (int layer = 0; layer < 3; layer++)
+                    {
+                        double z = 2.0 * distance + layer * settings.Spacing;
+                        for (int side = 0; side < 3; side++)
+                        {
+                            moment[side] += settings.Spacing * LayerMoment(z, radius, side == axis);
+                        }
+                    }
+                }
+            }
+            return moment;
+        }
+
+        /// <summary>A regularised inverse of a moment over M, less the identity, by Jacobi's rotations.</summary>
+        public static double[] Correction(double[] mean)
+        {
+            double[] x = Eigenvalues(mean, out Double3[] axes);
+            double t = Math.Max(0.0, Math.Min(1.0, (x.Min() - 0.2) / 0.25)), weight = t * t * (3.0 - 2.0 * t);
+            var correction = new double[6];
+            for (int k = 0; k < 3; k++) AddProduct(correction, weight * (Math.Min(1.0 / Math.Max(x[k], 1e-3), 2.0) - 1.0), axes[k]);
+            return correction;
+        }
+
+        /// <summary>Shepard's mean of moments about a particle, itself among them.</summary>
+        public static double[] Mean(in FluidSolverSettings settings, IReadOnlyList<FluidParticle> particles, double[][] moments, int i)
+        {
+            double weight = StandardReference.Kernel(0.0, settings.SupportRadius);
+            double[] sum = moments[i].Select(m => weight * m).ToArray();
+            foreach ((int j, Double3 d) in Near(settings, particles, i))
+            {
+                double w = StandardReference.Kernel(d.Length, settings.SupportRadius);
+                weight += w;
+                for (int k = 0; k < 6; k++) sum[k] += w * moments[j][k];
+            }
+            return sum.Select(s => s / weight).ToArray();
+        }
+
+        /// <summary>The offset of a density behind a step [kg/m³].</summary>
+        public static double NextOffset(in FluidSolverSettings settings, IReadOnlyList<FluidParticle> particles, double[] density, int i,
+            double offset, double step)
+        {
+            double rest = settings.RestDensity, radius = settings.SupportRadius, sound = settings.SoundSpeed;
+            double volume = settings.ParticleMass / rest, rate = 0.0;
+            Double3 slopes = Walls(settings, particles[i].Position);
+            foreach ((int j, Double3 d) in Near(settings, particles, i))
+            {
+                Double3 slope = volume * StandardReference.Slope(d.Length, radius) / d.Length * d;
+                slopes += slope;
+                double column = rest / (sound * sound) * Double3.Dot(settings.Gravity, -d);
+                double difference = Math.Max(density[j], rest) - Math.Max(density[i], rest) - column;
+                rate -= 0.1 * radius * sound * volume * StandardReference.Slope(d.Length, radius) / d.Length * difference;
+            }
+            double gradient = radius * slopes.Length;
+            double flat = Math.Min(gradient, 1.44), most = gradient > 0.15 ? 1.5 * rest * flat * (0.0488 + 0.0966 * flat) : 0.0;
+            double filled = Math.Max(0.0, Math.Min(most, offset + Math.Max(0.0, rest - density[i])));
+            if (offset == 0.0) return filled;
+            double target = gradient > 0.3 ? filled : 0.0, fading = offset > Math.Max(most, 0.01 * rest) ? 0.09 : 0.0018;
+            return offset + Math.Min(1.0, fading * step * sound / radius) * (target - offset) + step * rate;
+        }
+
+        /// <summary>A matrix times a vector.</summary>
+        public static Double3 Times(double[] m, Double3 v) => new Double3(
+            m[0] * v.X + m[5] * v.Y + m[4] * v.Z, m[5] * v.X + m[1] * v.Y + m[3] * v.Z, m[4] * v.X + m[3] * v.Y + m[2] * v.Z);
+
+        /// <summary>Half floats of a matrix, as InvertMoments stores it.</summary>
+        public static uint[] Pack(double[] m) =>
+            Enumerable.Range(0, 3).Select(k => Mathf.FloatToHalf((float)m[k]) | (uint)Mathf.FloatToHalf((float)m[k + 3]) << 16).ToArray();
+
+        /// <summary>The matrix of half floats.</summary>
+        public static double[] Unpack(uint[] words, int at) => Enumerable.Range(0, 6)
+            .Select(k => (double)Mathf.HalfToFloat((ushort)(words[at + k % 3] >> 16 * (k / 3)))).ToArray();
+
+        /// <summary>Adds a factor times d dᵀ.</summary>
+        public static void AddProduct(double[] m, double factor, Double3 d)
+        {
+            for (int k = 0; k < 3; k++)
+            {
+                m[k] += factor * d[k] * d[k];
+                m[k + 3] += factor * d[(k + 1) % 3] * d[(k + 2) % 3];
+            }
+        }
+
+        private static Double3 Walls(in FluidSolverSettings settings, Double3 p)
+        {
+            double step = 1e-4 * settings.Spacing;
+            var gradient = new double[3];
+            for (int axis = 0; axis < 3; axis++)
+            {
+                var along = new Double3(axis == 0 ? step : 0.0, axis == 1 ? step : 0.0, axis == 2 ? step : 0.0);
+                gradient[axis] = (StandardReference.Walls(p + along, settings) - StandardReference.Walls(p - along, settings)) /
+                    (2.0 * step);
+            }
+            return new Double3(gradient[0], gradient[1], gradient[2]);
+        }
+
+        private static double[] Eigenvalues(double[] m, out Double3[] axes)
+        {
+            double[,] a = { { m[0], m[5], m[4] }, { m[5], m[1], m[3] }, { m[4], m[3], m[2] } };
+            double[,] v = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
+            for (int turn = 0; turn < 40; turn++)
+            {
+                int p = turn % 3 == 2 ? 1 : 0, q = turn % 3 == 0 ? 1 : 2;
+                if (Math.Abs(a[p, q]) < 1e-300) continue;
+                double theta = 0.5 * Math.Atan2(2.0 * a[p, q], a[q, q] - a[p, p]), c = Math.Cos(theta), s = Math.Sin(theta);
+                for (int k = 0; k < 3; k++) (a[k, p], a[k, q]) = (c * a[k, p] - s * a[k, q], s * a[k, p] + c * a[k, q]);
+                for (int k = 0; k < 3; k++) (a[p, k], a[q, k]) = (c * a[p, k] - s * a[q, k], s * a[p, k] + c * a[q, k]);
+                for (int k = 0; k < 3; k++) (v[k, p], v[k, q]) = (c * v[k, p] - s * v[k, q], s * v[k, p] + c * v[k, q]);
+            }
+            axes = Enumerable.Range(0, 3).Select(k => new Double3(v[0, k], v[1, k], v[2, k])).ToArray();
+            return new[] { a[0, 0], a[1, 1], a[2, 2] };
+        }
+
+        // Of a plane of particles at a distance z, an area of 1 each: (−W'/r) times the square of the coordinate along the normal, or across.
+        private static double LayerMoment(double z, double radius, bool along)
+        {
+            const int rings = 400;
+            double sum = 0.0, reach = z < radius ? Math.Sqrt(radius * radius - z * z) : 0.0;
+            for (int i = 0; i < rings; i++)
+            {
+                double a = (i + 0.5) * reach / rings, r = Math.Sqrt(a * a + z * z);
+                sum -= 2.0 * Math.PI * a * StandardReference.Slope(r, radius) / r * (along ? z * z : 0.5 * a * a) * reach / rings;
+            }
+            return sum;
+        }
+    }
+}
