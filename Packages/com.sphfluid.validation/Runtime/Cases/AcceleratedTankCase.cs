@@ -13,7 +13,6 @@ namespace SphFluid.Validation
     {
         private const double Length = 2.0, Depth = 1.0, Gravity = 9.81;
         private const double Slope = 0.05;
-        private const double Periods = 2.0; // of the first mode
         private const double SamplesPerPeriod = 40.0;
 
         /// <inheritdoc/>
@@ -59,7 +58,7 @@ namespace SphFluid.Validation
             {
                 Settings = settings,
                 Particles = Level(parameters, settings, width, dx),
-                Duration = Periods * period,
+                Duration = 2.0 * AcceleratedTankMetric.JudgedPeriods * period,
                 SampleInterval = period / SamplesPerPeriod,
             };
         }
@@ -67,7 +66,7 @@ namespace SphFluid.Validation
         /// <inheritdoc/>
         public override CaseMetric CreateMetric(in CaseParameters parameters, CaseSetup setup) => new AcceleratedTankMetric(
             new TankModes(Length, Depth, Gravity, CaseSettings.EffectiveSoundSpeed(setup.Settings)),
-            -0.5 * setup.Settings.DomainSize.x, Slope);
+            -0.5 * setup.Settings.DomainSize.x, -0.5 * setup.Settings.DomainSize.y, Slope);
 
         // At rest under gravity alone, compressed by it.
         private static FluidParticle[] Level(in CaseParameters parameters, in FluidSolverSettings settings, int width, double dx)
