@@ -9,15 +9,16 @@
 #include "../Cells/Wendland.hlsl"
 #include "../Cells/ClosePairs.hlsl"
 #include "../Cells/MeshWalls.hlsl"
-#if defined(FLUID_GRADIENT_CORRECTION)
-#include "GradientCorrection/CorrectedPressure.hlsl"
-#endif
 
 StructuredBuffer<float4> _PositionTerms; // present place, P
 StructuredBuffer<float4> _Velocities;
 float _SlopeFactor;     // m 210 / (pi R^5) / M
 float _ViscosityFactor; // 2 nu / rho0
 float _LeastSeparation; // m, for particles that share a place
+
+#if defined(FLUID_GRADIENT_CORRECTION)
+#include "GradientCorrection/CorrectedPressure.hlsl"
+#endif
 
 // What neighbours push and drag, without the factor.
 struct PairSums

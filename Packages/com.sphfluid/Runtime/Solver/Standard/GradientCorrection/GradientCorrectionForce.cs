@@ -20,9 +20,13 @@ namespace SphFluid
         // Over c/R: rates at which an offset of the density fades, and one above what a surface cuts off.
         private const double Fading = 0.0018, FastFading = 0.09;
 
-        private static readonly int Diffusivity = Shader.PropertyToID("_Diffusivity");
+        // Over ρ0 c/R: rate of the pressure's work from which on the density takes it.
+        private const double WorkRate = 0.005;
+
         private static readonly int HydrostaticSlope = Shader.PropertyToID("_HydrostaticSlope");
         private static readonly int OffsetFactor = Shader.PropertyToID("_OffsetFactor");
+        private static readonly int OffsetStep = Shader.PropertyToID("_OffsetStep");
+        private static readonly int WorkThreshold = Shader.PropertyToID("_WorkThreshold");
         private static readonly int OffsetFading = Shader.PropertyToID("_OffsetFading");
         private static readonly int SlopeToGradient = Shader.PropertyToID("_SlopeToGradient");
 
@@ -71,9 +75,10 @@ namespace SphFluid
             FluidSolverSettings settings = state.Settings;
             double radius = settings.SupportRadius, sound = settings.SoundSpeed, crossings = step.Length * sound / radius;
             double factor = SlopeFactor(settings);
-            kernel.SetFloat(cmd, Diffusivity, (float)(Diffusion * radius * sound));
             kernel.SetVector(cmd, HydrostaticSlope, (float)(settings.RestDensity / (sound * sound)) * settings.Gravity);
-            kernel.SetFloat(cmd, OffsetFactor, (float)(step.Length * factor));
+            kernel.SetFloat(cmd, OffsetFactor, (float)(Diffusion * radius * sound * step.Length * factor));
+            kernel.SetFloat(cmd, OffsetStep, step.Length);
+            kernel.SetFloat(cmd, WorkThreshold, (float)(WorkRate * settings.RestDensity * sound / radius));
             kernel.SetVector(cmd, OffsetFading,
                 new Vector2((float)Math.Min(1.0, Fading * crossings), (float)Math.Min(1.0, FastFading * crossings)));
             kernel.SetFloat(cmd, SlopeToGradient, (float)(radius * factor));

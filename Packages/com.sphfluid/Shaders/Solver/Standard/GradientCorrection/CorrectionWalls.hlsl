@@ -1,8 +1,16 @@
 #ifndef SPHFLUID_CORRECTION_WALLS
 #define SPHFLUID_CORRECTION_WALLS
 
-// What walls have to do with the correction. A kernel that includes this file includes MeshWalls.hlsl before it.
+// What walls have to do with the correction. The mirror layers behind a wall make the moments of the liquid before it whole, but a wall
+// pushes along its normal only: the moments of its layers across are a pressure that nobody exerts, for which the correction has to make
+// up. A kernel that includes this file includes MeshWalls.hlsl before it.
 #include "SymmetricMatrix.hlsl"
+
+struct WallMoments
+{
+    SymmetricMatrix Full;   // of all layers
+    SymmetricMatrix Pushed; // what of it acts
+};
 
 // Of a plane at a distance d, the second moments of its mirror layers along the normal, x, and across, y, which is their density:
 //   (1/kappa) sum_l 21 z^2 (1-z)^4 (4z+1) and MirrorProfile.
@@ -18,60 +26,57 @@ float2 MirrorMoment(float d)
     return float2(21.0 * along / _SupportRatio, MirrorProfile(d).x);
 }
 
-void AddPlane(inout SymmetricMatrix moment, float3 normal, float distance)
+// One wall more, F_k = N n n + L (1 - n n), P_k = N n n: walls see each other's layers once,
+//   F = F + F_k - sym(F F_k),  P = sym(P (1 - F_k)) + sym(P_k (1 - F)).
+void AddWall(inout WallMoments walls, float3 n, float distance)
 {
     const float2 layers = MirrorMoment(distance);
-    moment.Diagonal += layers.y + (layers.x - layers.y) * normal * normal;
-    moment.Shear += (layers.x - layers.y) * normal.yzx * normal.zxy;
+    const SymmetricMatrix full = walls.Full;
+    const float3 fullAlong = Times(full, n);
+    const float3 pushedAlong = Times(walls.Pushed, n);
+    const float across = layers.y;
+    const float more = layers.x - layers.y;
+    AddScaled(walls.Pushed, walls.Pushed, -across);
+    AddProduct(walls.Pushed, n, layers.x * (n - fullAlong) - more * pushedAlong);
+    AddScaled(walls.Full, full, -across);
+    walls.Full.Diagonal += across;
+    AddProduct(walls.Full, n, more * (n - fullAlong));
 }
 
-SymmetricMatrix FaceMoment(float3 position)
+// Those of the domain or, near triangles, the planes that the particle sees, as far as they are there: of an edge less than the planes.
+WallMoments MomentsOfWalls(uint slot, float3 position)
 {
-    SymmetricMatrix moment = (SymmetricMatrix)0;
-    [unroll]
-    for (int axis = 0; axis < 3; axis++)
+    WallMoments walls = (WallMoments)0;
+    [loop]
+    for (uint face = 0u; face < (slot == 0u ? 6u : 0u); face++)
     {
-        const float2 layers = MirrorMoment(position[axis] - _WallsLow[axis]) + MirrorMoment(_WallsHigh[axis] - position[axis]);
-        moment.Diagonal += layers.y;
-        moment.Diagonal[axis] += layers.x - layers.y;
+        const uint axis = face >> 1u;
+        const float3 n = float3(axis == 0u ? 1.0 : 0.0, axis == 1u ? 1.0 : 0.0, axis == 2u ? 1.0 : 0.0);
+        const float distance = dot(n, (face & 1u) != 0u ? _WallsHigh - position : position - _WallsLow);
+        [branch]
+        if (2.0 * distance * _InverseSupport < 1.0)
+        {
+            AddWall(walls, n, distance);
+        }
     }
-    return moment;
-}
-
-// What walls add to the moment: those of the domain or, near triangles, the planes that the particle sees.
-SymmetricMatrix WallMoment(uint slot, float3 position)
-{
-    SymmetricMatrix moment = FaceMoment(position);
 #if defined(FLUID_MESH_WALLS)
     [branch]
     if (slot != 0u)
     {
         const NearWall wall = WallOf(slot, position);
-        moment = (SymmetricMatrix)0;
+        float open = 1.0;
         [unroll]
         for (uint k = 0u; k < uint(WALL_PLANES); k++)
         {
-            AddPlane(moment, wall.Planes[k].xyz, wall.Planes[k].w);
+            AddWall(walls, wall.Planes[k].xyz, wall.Planes[k].w);
+            open *= 1.0 - MirrorProfile(wall.Planes[k].w).x;
         }
+        const float solid = saturate(wall.Share / max(1.0 - open, 1e-6));
+        walls.Full = Scaled(walls.Full, solid);
+        walls.Pushed = Scaled(walls.Pushed, solid);
     }
 #endif
-    return moment;
-}
-
-// How much of the correction acts: none within R/2 of a wall, all beyond R. At walls, which push without it, it would feed in energy.
-float WallFade(uint slot, float3 position)
-{
-    const float3 faces = min(position - _WallsLow, _WallsHigh - position);
-    float distance = min(faces.x, min(faces.y, faces.z));
-#if defined(FLUID_MESH_WALLS)
-    [branch]
-    if (slot != 0u)
-    {
-        const NearWall wall = WallOf(slot, position);
-        distance = min(distance, min(wall.Planes[0].w, min(wall.Planes[1].w, wall.Planes[2].w)));
-    }
-#endif
-    return saturate(2.0 * distance * _InverseSupport - 1.0);
+    return walls;
 }
 
 #endif

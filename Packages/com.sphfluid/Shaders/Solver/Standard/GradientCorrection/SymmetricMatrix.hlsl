@@ -14,6 +14,19 @@ SymmetricMatrix Scaled(SymmetricMatrix a, float factor)
     return a;
 }
 
+void AddScaled(inout SymmetricMatrix sum, SymmetricMatrix a, float factor)
+{
+    sum.Diagonal += factor * a.Diagonal;
+    sum.Shear += factor * a.Shear;
+}
+
+// Adds the symmetric part of a b^T.
+void AddProduct(inout SymmetricMatrix sum, float3 a, float3 b)
+{
+    sum.Diagonal += a * b;
+    sum.Shear += 0.5 * (a.yzx * b.zxy + a.zxy * b.yzx);
+}
+
 float3 Times(SymmetricMatrix a, float3 v)
 {
     return a.Diagonal * v + a.Shear.zxy * v.yzx + a.Shear.yzx * v.zxy;
@@ -48,9 +61,9 @@ float3 Eigenvalues(SymmetricMatrix deviator, float p)
     return float3(first, -first - last, last);
 }
 
-#define LEAST_EIGENVALUE 0.5 // what is less is inverted as this
+#define LEAST_EIGENVALUE 0.625 // what is less is inverted as this
 
-// The divided difference of 1/max(x, 1/2) between two eigenvalues. Of equal ones any slope serves: it is multiplied by their difference.
+// The divided difference of 1/max(x, 0.625) between two eigenvalues. Of equal ones any slope serves: it is multiplied by their difference.
 float InverseSlope(float a, float b, float apart)
 {
     const float within = max(a, LEAST_EIGENVALUE) - max(b, LEAST_EIGENVALUE);
@@ -58,10 +71,9 @@ float InverseSlope(float a, float b, float apart)
     return -part / (max(a, LEAST_EIGENVALUE) * max(b, LEAST_EIGENVALUE));
 }
 
-// B - 1 of a mean moment over M: its eigenvalues x become w (min(1/x, 2) - 1), where w falls from 1 to 0 with the least x from 0.45 to 0.2,
-// so that what is cut off at a surface gives no more than twice, and particles alone are not changed. part: of all that, 1 away from walls.
-// Newton's polynomial through the eigenvalues: right to second order in their errors, however near they are to each other.
-SymmetricMatrix Correction(SymmetricMatrix a, float part)
+// B - 1 of a mean moment over M: its eigenvalues x become w (min(1/x, 1.6) - 1), where w falls from 1 to 0 with the least x from 0.45 to
+// 0.2: particles alone are not changed. Newton's polynomial through the eigenvalues: right to second order in their errors, however near they are to each other.
+SymmetricMatrix Correction(SymmetricMatrix a)
 {
     const float mean = (a.Diagonal.x + a.Diagonal.y + a.Diagonal.z) / 3.0;
     SymmetricMatrix k = a;
@@ -70,10 +82,10 @@ SymmetricMatrix Correction(SymmetricMatrix a, float part)
     const float3 x = p > 1e-7 ? Eigenvalues(k, max(p, 1e-7)) : float3(0.0, 0.0, 0.0);
     const float3 own = mean + x;
     const float t = saturate((own.z - 0.2) / 0.25);
-    const float weight = part * t * t * (3.0 - 2.0 * t);
+    const float weight = t * t * (3.0 - 2.0 * t);
     const float first = InverseSlope(own.x, own.y, x.x - x.y);
     const float second = p > 1e-7 ? (first - InverseSlope(own.y, own.z, x.y - x.z)) / max(x.x - x.z, 1e-7) : 0.0;
-    // 1/max(a, 1/2) = f + first (k - x1) + second (k - x1)(k - x2)
+    // 1/max(a, 0.625) = f + first (k - x1) + second (k - x1)(k - x2)
     const float constant = 1.0 / max(own.x, LEAST_EIGENVALUE) - first * x.x + second * x.x * x.y - 1.0;
     const float rise = first - second * (x.x + x.y);
     const float3 d = k.Diagonal;

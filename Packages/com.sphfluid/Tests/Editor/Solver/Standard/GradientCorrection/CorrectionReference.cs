@@ -28,21 +28,11 @@ namespace SphFluid.Tests
             {
                 AddProduct(moment, -volume * StandardReference.Slope(d.Length, radius) / d.Length, d);
             }
-            Double3 p = particles[i].Position, half = 0.5f * settings.DomainSize;
-            for (int axis = 0; axis < 3; axis++)
+            double[,] full = Walls(settings, particles[i].Position, out _);
+            for (int k = 0; k < 3; k++)
             {
-                if (settings.PeriodLength[axis] > 0f) continue;
-                foreach (double distance in new[] { half[axis] + p[axis], half[axis] - p[axis] })
-                {
-                    for (int layer = 0; layer < 3; layer++)
-                    {
-                        double z = 2.0 * distance + layer * settings.Spacing;
-                        for (int side = 0; side < 3; side++)
-                        {
-                            moment[side] += settings.Spacing * LayerMoment(z, radius, side == axis);
-                        }
-                    }
-                }
+                moment[k] += full[k, k];
+                moment[k + 3] += full[(k + 1) % 3, (k + 2) % 3];
             }
             return moment;
         }
@@ -53,11 +43,11 @@ namespace SphFluid.Tests
             double[] x = Eigenvalues(mean, out Double3[] axes);
             double t = Math.Max(0.0, Math.Min(1.0, (x.Min() - 0.2) / 0.25)), weight = t * t * (3.0 - 2.0 * t);
             var correction = new double[6];
-            for (int k = 0; k < 3; k++) AddProduct(correction, weight * (Math.Min(1.0 / Math.Max(x[k], 1e-3), 2.0) - 1.0), axes[k]);
+            for (int k = 0; k < 3; k++) AddProduct(correction, weight * (Math.Min(1.0 / Math.Max(x[k], 1e-3), 1.6) - 1.0), axes[k]);
             return correction;
         }
 
-        /// <summary>Shepard's mean of moments about a particle, itself among them.</summary>
+        /// <summary>Shepard's mean of moments about a particle, itself among them, less what of the walls' layers nobody exerts.</summary>
         public static double[] Mean(in FluidSolverSettings settings, IReadOnlyList<FluidParticle> particles, double[][] moments, int i)
         {
             double weight = StandardReference.Kernel(0.0, settings.SupportRadius);
@@ -68,21 +58,26 @@ namespace SphFluid.Tests
                 weight += w;
                 for (int k = 0; k < 6; k++) sum[k] += w * moments[j][k];
             }
-            return sum.Select(s => s / weight).ToArray();
+            double[,] full = Walls(settings, particles[i].Position, out double[,] pushed);
+            return sum.Select((s, k) => s / weight - (k < 3 ? full[k, k] - pushed[k, k]
+                : full[(k + 1) % 3, (k + 2) % 3] - pushed[(k + 1) % 3, (k + 2) % 3])).ToArray();
         }
 
         /// <summary>The offset of a density behind a step [kg/m³].</summary>
         public static double NextOffset(in FluidSolverSettings settings, IReadOnlyList<FluidParticle> particles, double[] density, int i,
-            double offset, double step)
+            double[] correction, double offset, double step)
         {
             double rest = settings.RestDensity, radius = settings.SupportRadius, sound = settings.SoundSpeed;
-            double volume = settings.ParticleMass / rest, rate = 0.0;
-            Double3 slopes = Walls(settings, particles[i].Position);
+            double volume = settings.ParticleMass / rest, rate = 0.0, work = 0.0;
+            Double3 slopes = WallGradient(settings, particles[i].Position);
             foreach ((int j, Double3 d) in Near(settings, particles, i))
             {
                 Double3 slope = volume * StandardReference.Slope(d.Length, radius) / d.Length * d;
                 slopes += slope;
-                double column = rest / (sound * sound) * Double3.Dot(settings.Gravity, -d);
+                Double3 velocity = (Double3)particles[i].VelT0 - particles[j].VelT0;
+                work += rest / StandardReference.Response(settings) * Double3.Dot(Times(correction, slope), velocity);
+                bool isPressed = density[i] > rest && density[j] > rest;
+                double column = isPressed ? rest / (sound * sound) * Double3.Dot(settings.Gravity, -d) : 0.0;
                 double difference = Math.Max(density[j], rest) - Math.Max(density[i], rest) - column;
                 rate -= 0.1 * radius * sound * volume * StandardReference.Slope(d.Length, radius) / d.Length * difference;
             }
@@ -91,6 +86,8 @@ namespace SphFluid.Tests
             double filled = Math.Max(0.0, Math.Min(most, offset + Math.Max(0.0, rest - density[i])));
             if (offset == 0.0) return filled;
             double target = gradient > 0.3 ? filled : 0.0, fading = offset > Math.Max(most, 0.01 * rest) ? 0.09 : 0.0018;
+            double threshold = 0.005 * rest * sound / radius;
+            rate += work * work * work / (work * work + threshold * threshold);
             return offset + Math.Min(1.0, fading * step * sound / radius) * (target - offset) + step * rate;
         }
 
@@ -116,7 +113,7 @@ namespace SphFluid.Tests
             }
         }
 
-        private static Double3 Walls(in FluidSolverSettings settings, Double3 p)
+        private static Double3 WallGradient(in FluidSolverSettings settings, Double3 p)
         {
             double step = 1e-4 * settings.Spacing;
             var gradient = new double[3];
@@ -144,6 +141,52 @@ namespace SphFluid.Tests
             }
             axes = Enumerable.Range(0, 3).Select(k => new Double3(v[0, k], v[1, k], v[2, k])).ToArray();
             return new[] { a[0, 0], a[1, 1], a[2, 2] };
+        }
+
+        // Layers of the faces, F = F + F_k − sym(F F_k), and what of them acts, P = sym(P (1 − F_k)) + sym(P_k (1 − F)).
+        private static double[,] Walls(in FluidSolverSettings settings, Double3 p, out double[,] pushed)
+        {
+            double radius = settings.SupportRadius;
+            Double3 half = 0.5f * settings.DomainSize;
+            var full = new double[3, 3];
+            pushed = new double[3, 3];
+            for (int axis = 0; axis < 3; axis++)
+            {
+                if (settings.PeriodLength[axis] > 0f) continue;
+                foreach (double distance in new[] { half[axis] + p[axis], half[axis] - p[axis] })
+                {
+                    var own = new double[3, 3];
+                    for (int layer = 0; layer < 3; layer++)
+                    {
+                        double z = 2.0 * distance + layer * settings.Spacing;
+                        for (int k = 0; k < 3; k++) own[k, k] += settings.Spacing * LayerMoment(z, radius, k == axis);
+                    }
+                    var acts = new double[3, 3];
+                    acts[axis, axis] = own[axis, axis];
+                    double[,] before = full;
+                    pushed = Sum(Sum(pushed, Product(pushed, own), -1.0), Sum(acts, Product(acts, before), -1.0), 1.0);
+                    full = Sum(Sum(before, own, 1.0), Product(before, own), -1.0);
+                }
+            }
+            return full;
+        }
+
+        private static double[,] Sum(double[,] a, double[,] b, double factor)
+        {
+            var sum = new double[3, 3];
+            for (int i = 0; i < 9; i++) sum[i / 3, i % 3] = a[i / 3, i % 3] + factor * b[i / 3, i % 3];
+            return sum;
+        }
+
+        private static double[,] Product(double[,] a, double[,] b)
+        {
+            var product = new double[3, 3];
+            for (int i = 0; i < 27; i++)
+            {
+                (int row, int column, int k) = (i / 9, i / 3 % 3, i % 3);
+                product[row, column] += 0.5 * (a[row, k] * b[k, column] + b[row, k] * a[k, column]);
+            }
+            return product;
         }
 
         // Of a plane of particles at a distance z, an area of 1 each: (−W'/r) times the square of the coordinate along the normal, or across.

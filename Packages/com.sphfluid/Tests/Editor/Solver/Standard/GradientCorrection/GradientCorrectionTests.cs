@@ -78,7 +78,7 @@ namespace SphFluid.Tests
                 {
                     Double3 measured = ((Double3)(Vector3)end[i] - start[i].VelT0) / TimeStep;
                     Assert.That((measured - expected[i]).Length, Is.LessThan(2e-4 * largest + 0.02), $"acceleration of {i}");
-                    double offset = CorrectionReference.NextOffset(settings, start, density, i, offsets[i], TimeStep);
+                    double offset = CorrectionReference.NextOffset(settings, start, density, i, corrections[i], offsets[i], TimeStep);
                     Assert.That(after[i], Is.EqualTo(offset).Within(2e-5 * settings.RestDensity), $"offset of {i}");
                 }
             }
