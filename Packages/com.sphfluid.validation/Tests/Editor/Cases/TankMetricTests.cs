@@ -64,14 +64,18 @@ namespace SphFluid.Tests
         [Test]
         public void AShortRunHasNoEvenWaves() => Assert.That(WallCaseStates.Named(Driven(1.0, 0.0, 2.0), "waves late, in periods"), Is.NaN);
 
-        private static AcceleratedTankMetric Accelerated(double factor, double second)
+        [Test]
+        public void ATankThatSwingsFarTooFastFails() => Assert.That(() => Accelerated(1.0, 0.0, 2.7).Evaluate(),
+            Throws.TypeOf<SearchBoundException>().With.Message.StartsWith(new AcceleratedTankCase().Name + ": the frequency"));
+
+        private static AcceleratedTankMetric Accelerated(double factor, double second, double pace = 1.0)
         {
             var metric = new AcceleratedTankMetric(tank, Wall, Small);
             double period = 2.0 * Math.PI / tank.Frequency(1);
             for (int i = 0; i <= 80; i++)
             {
                 double t = 2.0 * period * i / 80;
-                double[] modes = Enumerable.Range(1, 7).Select(n => factor * tank.Tilted(n, Small, t)).ToArray();
+                double[] modes = Enumerable.Range(1, 7).Select(n => factor * tank.Tilted(n, Small, pace * t)).ToArray();
                 modes[1] = second * modes[0];
                 metric.Sample(t, TankStates.Below(Wall, Wall + Length, x => Depth + tank.Level(modes, x - Wall)));
             }
