@@ -32,7 +32,7 @@ namespace SphFluid.Validation
 
         private IEnumerable<ChoiceOption> Marked => answer.Best != null ? new[] { answer.Best }
             : new[] { double.IsNaN(answer.Question.Error) ? null : answer.Fastest ?? answer.Finest,
-                double.IsNaN(answer.Question.Milliseconds) ? null : answer.MostAccurate ?? answer.Quickest }
+                double.IsNaN(answer.Question.Milliseconds) ? null : answer.MostAccurate ?? answer.QuickestOfAll }
                 .Where(o => o != null).Distinct();
 
         private IEnumerable<string> Drawing()
