@@ -33,9 +33,16 @@ namespace SphFluid.Validation
         /// <inheritdoc/>
         public override string ErrorName => AcceleratedTankMetric.ErrorName;
 
+        /// <inheritdoc/>
+        public override IReadOnlyList<(string Name, double Right)> AlsoHeld =>
+            new[] { ("first mode's period, T/T_exact − 1", 0.0), ("first mode's damping rate over its frequency", 0.0) };
+
         /// <summary>Terms of third order: (k a)² of the first mode at its highest, 0.081 m.</summary>
         /// <inheritdoc/>
         public override double Floor => 0.02;
+
+        /// <inheritdoc/>
+        public override string FloorSource => "the reference's own, as linear waves leave out the third order, (k a)²";
 
         /// <inheritdoc/>
         public override (string X, string Y) AxisTitles => ("t [s]", "level at the end walls over (a/g) L/2");

@@ -72,7 +72,8 @@ namespace SphFluid.Validation
                 first += modes[i][0] * modes[i][0];
                 second += modes[i][1] * modes[i][1];
             }
-            DampedOscillationFit swing = DampedOscillationFit.Of(times, modes.Select(m => m[0]).ToArray(), tank.Frequency(1));
+            DampedOscillationFit swing = DampedOscillationFit.Of(times, modes.Select(m => m[0]).ToArray(), tank.Frequency(1),
+                "accelerated-tank", "the first mode");
             double middle = swing?.Constant / tank.Tilted(1, slope, Math.PI / tank.Frequency(1)) * 2.0 ?? double.NaN;
             return new[]
             {

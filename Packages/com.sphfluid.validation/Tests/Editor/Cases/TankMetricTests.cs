@@ -78,16 +78,21 @@ namespace SphFluid.Tests
         [Test]
         public void AShortRunHasNoEvenWaves() => Assert.That(WallCaseStates.Named(Driven(1.0, 0.0, 2.0), "waves late, in periods"), Is.NaN);
 
+        [Test]
+        public void ATankThatSwingsFarTooFastFails() => Assert.That(() => Accelerated(1.0, 0.0, pace: 2.7).Evaluate(),
+            Throws.TypeOf<SearchBoundException>().With.Message.StartsWith(new AcceleratedTankCase().Name + ": the frequency"));
+
         private static double Period => 2.0 * Math.PI / tank.Frequency(1);
 
         // beside: speed across the tank [m/s] at a time.
-        private static AcceleratedTankMetric Accelerated(double factor, double second, Func<double, double> beside = null)
+        private static AcceleratedTankMetric Accelerated(double factor, double second, Func<double, double> beside = null,
+            double pace = 1.0)
         {
             var metric = new AcceleratedTankMetric(tank, Wall, Floor, Small);
             double length = 2.0 * AcceleratedTankMetric.JudgedPeriods * Period, step = Period / 40.0;
             for (double t = 0.0; t < length + 0.5 * step; t += step)
             {
-                double[] modes = Enumerable.Range(1, 7).Select(n => factor * tank.Tilted(n, Small, t)).ToArray();
+                double[] modes = Enumerable.Range(1, 7).Select(n => factor * tank.Tilted(n, Small, pace * t)).ToArray();
                 modes[1] = second * modes[0];
                 double across = beside?.Invoke(t) ?? 0.0;
                 metric.Sample(t, TankStates.Below(Wall, Wall + Length, x => Depth + tank.Level(modes, x - Wall), at =>
