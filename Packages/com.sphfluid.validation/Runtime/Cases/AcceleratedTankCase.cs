@@ -65,7 +65,7 @@ namespace SphFluid.Validation
             {
                 Settings = settings,
                 Particles = Level(parameters, settings, width, dx),
-                Duration = 2.0 * AcceleratedTankMetric.JudgedPeriods * period,
+                Duration = (AcceleratedTankMetric.JudgedPeriods + 1.0) * period,
                 SampleInterval = period / SamplesPerPeriod,
             };
         }

@@ -14,18 +14,18 @@ namespace SphFluid.Validation
 
         private const int Modes = 7;
 
-        /// <summary>Periods of the first mode that levels are judged over; what moves besides is followed for twice as many.</summary>
+        /// <summary>Periods of the first mode that levels are judged over; what moves besides is followed for one more.</summary>
         internal const double JudgedPeriods = 2.0;
 
         internal const string BesideName = "kinetic energy beside the waves', second period over the waves'";
-        internal const string LeftName = "kinetic energy beside the waves', fourth period over second";
+        internal const string LeftName = "kinetic energy beside the waves', third period over second";
 
         private readonly TankModes tank;
         private readonly TankMotion motion;
         private readonly double wall, slope;
         private readonly List<double> times = new List<double>();
         private readonly List<double[]> modes = new List<double[]>();
-        private readonly double[] besides = new double[2 * (int)JudgedPeriods];
+        private readonly double[] besides = new double[(int)JudgedPeriods + 1];
         private double waves;
 
         /// <summary>A metric for one run.</summary>
@@ -56,7 +56,7 @@ namespace SphFluid.Validation
         /// <summary>
         /// RMS along the tank and over time of the level's error over the exact level's; the first mode's period; the slope that it swings
         /// about; the damping rate of its swing over its frequency; RMS of the second mode over the first, which second order makes; kinetic
-        /// energy that is no linear wave's, in the second period over the waves' and in the fourth over the second: noise and what boils.
+        /// energy that is no linear wave's, in the second period over the waves' and in the third over the second: noise and what boils.
         /// </summary>
         public override IReadOnlyList<CaseError> Evaluate()
         {
@@ -83,7 +83,7 @@ namespace SphFluid.Validation
                 new CaseError("first mode's damping rate over its frequency", swing?.DampingRate / swing?.Frequency ?? double.NaN),
                 new CaseError("second mode over the first", Math.Sqrt(second / first)),
                 new CaseError(BesideName, besides[1] / waves),
-                new CaseError(LeftName, besides[3] / besides[1]),
+                new CaseError(LeftName, besides[2] / besides[1]),
             };
         }
 

@@ -8,7 +8,7 @@ namespace SphFluid.Validation
     public sealed class CaseMethod
     {
         private CaseMethod(string name, string title, FluidMethodKind kind, double supportRatio, bool feelsWalls = false,
-            bool hasTension = false, bool correctsGradient = false)
+            bool hasTension = false, bool correctsGradient = false, bool isReference = false)
         {
             Name = name;
             Title = title;
@@ -17,6 +17,7 @@ namespace SphFluid.Validation
             FeelsWalls = feelsWalls;
             HasTension = hasTension;
             CorrectsGradient = correctsGradient;
+            IsReference = isReference;
         }
 
         /// <summary>Name, for instance "thesis".</summary>
@@ -40,14 +41,17 @@ namespace SphFluid.Validation
         /// <summary>Whether the pressure's gradient is corrected: <see cref="FluidRuleInput.GradientCorrection"/>.</summary>
         public bool CorrectsGradient { get; }
 
+        /// <summary>Whether it is measured only for others to be held against: fewer points, and no choice of users.</summary>
+        public bool IsReference { get; }
+
         /// <summary>All methods, the best last.</summary>
         public static IReadOnlyList<CaseMethod> All { get; } = new[]
         {
-            new CaseMethod("thesis-printed", "thesis, as printed", FluidMethodKind.ThesisPrinted, 2.0),
+            new CaseMethod("thesis-printed", "thesis, as printed", FluidMethodKind.ThesisPrinted, 2.0, isReference: true),
             new CaseMethod("thesis", "thesis, corrected", FluidMethodKind.Thesis, 2.0),
             new CaseMethod("robust", "robust", FluidMethodKind.Robust, 2.25),
             new CaseMethod("standard-uncorrected", "standard, uncorrected", FluidMethodKind.Standard, 2.25, feelsWalls: true,
-                hasTension: true),
+                hasTension: true, isReference: true),
             new CaseMethod("standard", "standard", FluidMethodKind.Standard, 2.25, feelsWalls: true, hasTension: true,
                 correctsGradient: true),
         };

@@ -45,7 +45,7 @@ namespace SphFluid.Tests
         public void WhatMovesBesideTheWavesIsToldApart()
         {
             double rms = RootMeanSquareSpeed();
-            AcceleratedTankMetric metric = Accelerated(1.0, 0.0, t => t < 2.99 * Period ? 0.5 * rms : 0.25 * rms);
+            AcceleratedTankMetric metric = Accelerated(1.0, 0.0, t => t < 1.99 * Period ? 0.5 * rms : 0.25 * rms);
 
             double moves = WallCaseStates.Named(metric, AcceleratedTankMetric.BesideName);
             Assert.That(WallCaseStates.Named(metric, AcceleratedTankMetric.LeftName), Is.EqualTo(0.25).Within(1e-2));
@@ -89,7 +89,7 @@ namespace SphFluid.Tests
             double pace = 1.0)
         {
             var metric = new AcceleratedTankMetric(tank, Wall, Floor, Small);
-            double length = 2.0 * AcceleratedTankMetric.JudgedPeriods * Period, step = Period / 40.0;
+            double length = (AcceleratedTankMetric.JudgedPeriods + 1.0) * Period, step = Period / 40.0;
             for (double t = 0.0; t < length + 0.5 * step; t += step)
             {
                 double[] modes = Enumerable.Range(1, 7).Select(n => factor * tank.Tilted(n, Small, pace * t)).ToArray();
