@@ -85,7 +85,8 @@ namespace SphFluid.Validation
 
             SearchRange Range(string quantity, double low, double high) => new SearchRange(validationCase,
                 $"the {quantity} of {what} over the expected frequency", low, high,
-                $"Look at its curves: where {what} does not swing as it should, the run is wrong; else widen the range in DampedOscillationFit.");
+                $"Look at its curves: where {what} does not swing as it should, the run is wrong; else widen the range in " +
+                "DampedOscillationFit.");
 
             void Try(double w, double g)
             {

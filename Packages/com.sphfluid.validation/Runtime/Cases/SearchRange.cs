@@ -3,8 +3,8 @@ using System;
 namespace SphFluid.Validation
 {
     /// <summary>
-    /// Where a case's fit seeks a quantity. Fits seek beyond it too: a best value at a bound or outside is where the search was stopped, and
-    /// no result.
+    /// Where a case's fit seeks a quantity. Fits seek beyond it too: a best value at a bound or outside is where the search was stopped,
+    /// and no result.
     /// </summary>
     internal sealed class SearchRange
     {
@@ -43,8 +43,8 @@ namespace SphFluid.Validation
             if (double.IsNaN(value) || Contains(value)) return value;
             double bound = value < 0.5 * (Low + High) ? Low : High;
             throw new SearchBoundException(FormattableString.Invariant(
-                $"{validationCase}: {quantity} is sought from {Low:G3} to {High:G3}, and the best value, {value:G4}, lies at or beyond the ") +
-                FormattableString.Invariant($"bound {bound:G3}. {cure}"));
+                $"{validationCase}: {quantity} is sought from {Low:G3} to {High:G3}, and the best value, {value:G4}, lies at or beyond ") +
+                FormattableString.Invariant($"the bound {bound:G3}. {cure}"));
         }
     }
 }

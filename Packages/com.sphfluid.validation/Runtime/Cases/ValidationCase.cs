@@ -18,12 +18,12 @@ namespace SphFluid.Validation
         public abstract string ErrorName { get; }
 
         /// <summary>
-        /// Errors below this are below what the reference itself is good for: how far independent solutions or experiments lie apart, or what
-        /// it leaves out.
+        /// Errors below this are below what the reference itself is good for: how far independent solutions or experiments lie apart, or
+        /// what it leaves out.
         /// </summary>
         public virtual double Floor => 0.0;
 
-        /// <summary>What the floor is, a phrase without a full stop: "two experiments lie so far apart"; empty where there is none.</summary>
+        /// <summary>What the floor is, a phrase: "two experiments lie so far apart"; empty where there is none.</summary>
         public virtual string FloorSource => "";
 
         /// <summary>True for cases that are either right or wrong: they are tested, and not part of the chart.</summary>
@@ -42,8 +42,8 @@ namespace SphFluid.Validation
         public virtual string CompanionErrorName => null;
 
         /// <summary>
-        /// Errors that must be small too where the flow is to be right, with what each is in the right flow: energy, shape, level. An answer
-        /// of <c>choose</c> holds them or names them.
+        /// Errors that must be small too where the flow is to be right, with what each is in the right flow: energy, shape, level. An
+        /// answer of <c>choose</c> holds them or names them.
         /// </summary>
         public virtual IReadOnlyList<(string Name, double Right)> AlsoHeld => System.Array.Empty<(string, double)>();
 

@@ -50,8 +50,8 @@ namespace SphFluid.Validation
 
         /// <inheritdoc/>
         public override string Caution =>
-            "The solution is of two dimensions, without air and friction: experiments, the grey band, have less at the lower gauges and up " +
-            "to twice as much at the highest. A gauge is a spacing high where that is more than its 8.4 mm.";
+            "The solution is of two dimensions, without air and friction: experiments, the grey band, have less at the lower gauges and " +
+            "up to twice as much at the highest. A gauge is a spacing high where that is more than its 8.4 mm.";
 
         /// <inheritdoc/>
         public override (string X, string Y) AxisTitles => ("t √(g/H)", "pressure at the gauge over ρ g H");
@@ -89,7 +89,8 @@ namespace SphFluid.Validation
         {
             // What stands and moves is particles, and their mass in their place is the liquid's density.
             double density = setup.Settings.ParticleMass / Math.Pow(setup.Settings.Spacing, 3.0);
-            return new WallImpactMetric(Math.Sqrt(ConvergedPressure.WaterHeight / Gravity), density * Gravity * ConvergedPressure.WaterHeight);
+            const double height = ConvergedPressure.WaterHeight;
+            return new WallImpactMetric(Math.Sqrt(height / Gravity), density * Gravity * height);
         }
 
         // As wide as the slab. None is less than a spacing high, or it would stand between two layers of particles.
@@ -104,7 +105,8 @@ namespace SphFluid.Validation
         // Compressed by its own weight, as it stands behind the gate.
         private static FluidParticle[] Water(in CaseParameters parameters, Vector3 domain, int rows, double dx, double speed)
         {
-            double sound = parameters.SoundSpeedRatio * speed, height = ConvergedPressure.WaterHeight, m = sound * sound / (Gravity * height);
+            const double height = ConvergedPressure.WaterHeight;
+            double sound = parameters.SoundSpeedRatio * speed, m = sound * sound / (Gravity * height);
             List<Vector3> positions = CaseLattice.Box(new Vector3Int(2 * parameters.Resolution, parameters.Resolution, rows), dx,
                 new Vector3(-0.5f * domain.x, 0f, -0.5f * domain.z));
             WallCaseSetup.Settle(positions, height, m, domain);

@@ -32,8 +32,8 @@ namespace SphFluid.Validation
         public IReadOnlyList<ChoiceOption> Options { get; }
 
         /// <summary>
-        /// The answer: the fastest with the error asked for, one that holds what is also held if there is one; or with a time alone the most
-        /// accurate. Null when there is none.
+        /// The answer: the fastest with the error asked for, one that holds what is also held if there is one; or with a time alone the
+        /// most accurate. Null when there is none.
         /// </summary>
         public ChoiceOption Best { get; }
 

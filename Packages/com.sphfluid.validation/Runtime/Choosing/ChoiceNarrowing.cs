@@ -10,7 +10,7 @@ namespace SphFluid.Validation
         public const double Widest = 4.0;
 
         // At the very point; more seeds than these change nothing.
-        private const int SeedsAtOnce = 3, MostSeeds = 6;
+        private const int SeedsAtOnce = 3, MostSeeds = 9;
 
         /// <summary>
         /// How wide the wider of an option's intervals is: upper over lower end, errors below the reference's floor counted as one.

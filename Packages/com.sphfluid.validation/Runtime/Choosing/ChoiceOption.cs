@@ -57,8 +57,8 @@ namespace SphFluid.Validation
         public bool IsBeyondMeasured { get; }
 
         /// <summary>
-        /// How far each of the case's <see cref="ValidationCase.AlsoHeld"/> is from what is right, in their order; not a number where one was
-        /// not measured.
+        /// How far each of the case's <see cref="ValidationCase.AlsoHeld"/> is from what is right, in their order; not a number where
+        /// one was not measured.
         /// </summary>
         public IReadOnlyList<double> Beside { get; }
 

@@ -41,8 +41,8 @@ namespace SphFluid.Validation
         public IReadOnlyList<int> Seeds { get; }
 
         /// <summary>
-        /// How far each of the case's <see cref="ValidationCase.AlsoHeld"/> is from what is right, in the worst seed; not a number where one
-        /// was not measured.
+        /// How far each of the case's <see cref="ValidationCase.AlsoHeld"/> is from what is right, in the worst seed; not a number where
+        /// one was not measured.
         /// </summary>
         public IReadOnlyList<double> Beside { get; }
 

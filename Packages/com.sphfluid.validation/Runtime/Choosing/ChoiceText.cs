@@ -48,8 +48,9 @@ namespace SphFluid.Validation
             ChoiceQuestion question = answer.Question;
             if (option.Beside.Count > 0)
             {
+                string end = answer.Holds(option) ? "." : ". Nothing that was measured holds all of it.";
                 yield return $"  Beside it, {option.Method} at {option.Spacing.ToString("G3", CultureInfo.InvariantCulture)} m: " +
-                    $"{Beside(question.Case, option, _ => true)}{(answer.Holds(option) ? "" : ". Nothing that was measured holds all of it")}.";
+                    Beside(question.Case, option, _ => true) + end;
             }
             if (option.Error.Value <= question.Case.Floor)
             {

@@ -10,7 +10,7 @@ namespace SphFluid.Validation
     public sealed class ChooseSession : MeasuringSession
     {
         // An answer may change with what narrows the last one.
-        private const int MostRounds = 4;
+        private const int MostRounds = 6;
 
         private readonly ChooseArguments arguments;
         private readonly ChartData chart;
@@ -41,7 +41,8 @@ namespace SphFluid.Validation
             if ((verifies || arguments.Narrows) && chart.Device != device)
             {
                 throw new CommandLineException(
-                    $"--{(verifies ? "verify" : "narrow")}: the chart in '{chart.Folder}' is of '{chart.Device}', and this is '{device}', whose times it cannot tell.");
+                    $"--{(verifies ? "verify" : "narrow")}: the chart in '{chart.Folder}' is of '{chart.Device}', and this is " +
+                    $"'{device}', whose times it cannot tell.");
             }
             chooser = new Chooser(chart);
             if (!verifies && arguments.Narrows)

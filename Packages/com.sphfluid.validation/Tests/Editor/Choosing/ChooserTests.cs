@@ -104,6 +104,7 @@ namespace SphFluid.Tests
             Assert.That(answer.Best.Beside.Single(), Is.LessThanOrEqualTo(0.3));
             Assert.That(answer.Best.Milliseconds.Likely, Is.GreaterThan(fastest.Milliseconds.Likely));
             Assert.That(string.Join("\n", ChoiceText.Lines(answer)), Does.Contain("Beside it").And.Contain("drift off by"));
+            Assert.That(string.Join("\n", new ChoiceScript(answer).Lines()), Does.Contain("beyond in another error"));
         }
 
         [Test]
@@ -177,7 +178,7 @@ namespace SphFluid.Tests
             chart.Sweep("standard", 2.5, 5.0, 24);
             chooser = new Chooser(chart.Data(), new[] { chart.Case });
 
-            Assert.That(string.Join("\n", ChoiceText.Lines(Ask(0.05, double.NaN))),
+            Assert.That(string.Join("\n", ChoiceText.Lines(Ask(0.04, double.NaN))),
                 Does.Contain("4 % is not the liquid's error but what the reference is good for: two made-up rests lie so far apart."));
             Assert.That(string.Join("\n", ChoiceText.Lines(Ask(0.3, double.NaN))), Does.Not.Contain("not the liquid's error"));
         }
@@ -291,7 +292,8 @@ namespace SphFluid.Tests
         {
             Assert.That(() => Ask(double.NaN, double.NaN),
                 Throws.TypeOf<CommandLineException>().With.Message.Contains("--error").And.Message.Contains("--ms"));
-            Assert.That(() => Ask(0.03, double.NaN), Throws.TypeOf<CommandLineException>().With.Message.Contains("good for 4 % (two made-up rests"));
+            Assert.That(() => Ask(0.03, double.NaN),
+                Throws.TypeOf<CommandLineException>().With.Message.Contains("good for 4 % (two made-up rests"));
             Assert.That(() => chooser.Answer(new ChoiceQuestion { Case = new FlatCase("another"), Error = 0.1 }),
                 Throws.TypeOf<CommandLineException>().With.Message.Contains("./run chart --case another"));
         }
