@@ -72,8 +72,9 @@ namespace SphFluid.Validation
                 string colour = ChartStyle.Colour(CaseMethod.All.ToList().IndexOf(method));
                 layers.Add($"$curves{i} using 1:2 with lines lw 1.5 lc {colour} title {Gnuplot.Quote(method.Title + ", expected")}");
                 bool[] held = methods[i].Where(IsMeasured).Select(answer.Holds).ToArray();
-                if (held.Contains(true)) layers.Add(Marks($"$measured{i}", "pt 7", colour, method.Title + ", measured spacings"));
-                if (held.Contains(false)) layers.Add(Marks($"$beyond{i}", "pt 6 lw 1.5", colour, method.Title + ", beyond in another error"));
+                string within = method.Title + ", measured spacings", beyond = method.Title + ", beyond in another error";
+                if (held.Contains(true)) layers.Add(Marks($"$measured{i}", "pt 7", colour, within));
+                if (held.Contains(false)) layers.Add(Marks($"$beyond{i}", "pt 6 lw 1.5", colour, beyond));
             }
             if (Marked.Any())
             {

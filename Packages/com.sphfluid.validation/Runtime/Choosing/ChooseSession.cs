@@ -45,8 +45,8 @@ namespace SphFluid.Validation
                     $"'{device}', whose times it cannot tell.");
             }
             chooser = new Chooser(chart);
-            if (!verifies && arguments.Narrows)
-                runs = ResultTable<ChartRow>.Resume(ChartRow.Format, Folder, device, () => new ChartRow());
+            bool narrows = arguments.Narrows && !verifies;
+            if (narrows) runs = ResultTable<ChartRow>.Resume(ChartRow.Format, Folder, device, () => new ChartRow());
             answer = verifies ? null : Answer();
             IEnumerable<ResultFile> files = ChoiceScript.Files().Prepend(ChoiceRow.Format.File);
             Claim(verifies ? new[] { VerificationRow.Format.File } : runs != null ? files.Append(ChartRow.Format.File) : files);
