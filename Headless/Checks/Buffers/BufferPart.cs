@@ -11,6 +11,7 @@ internal sealed record BufferPart(string Name, Func<ShaderVariant, bool> Has)
     public static IReadOnlyList<BufferPart> All { get; } =
     [
         new("forces on walls", v => With(v, "FLUID_WALL_FORCES") || In(v, "Shaders/Solver/WallForces/")),
+        new("gradient correction", v => In(v, Standard + "GradientCorrection/") || With(v, "FLUID_GRADIENT_CORRECTION", "FLUID_CARRIES_BESIDES")),
         new("surface tension", v => In(v, Standard + "Tension/")),
         new("implicit viscosity", v => In(v, Standard + "Viscosity/")),
         new("floating bodies", v => With(v, "FLUID_FLOATING_BODIES") || Is(v, "MoveBodies")),
@@ -38,5 +39,5 @@ internal sealed record BufferPart(string Name, Func<ShaderVariant, bool> Has)
 
     private static bool Is(ShaderVariant variant, params string[] names) => names.Contains(Path.GetFileNameWithoutExtension(variant.File));
 
-    private static bool With(ShaderVariant variant, string keyword) => variant.Request.Keywords.Contains(keyword);
+    private static bool With(ShaderVariant variant, params string[] keywords) => keywords.Any(variant.Request.Keywords.Contains);
 }

@@ -36,7 +36,7 @@ namespace SphFluid
 
         /// <summary>The sums of what the liquid gives to its walls.</summary>
         public static readonly ShaderGroup WallForces = new ShaderGroup("the force on walls", "Shaders/Solver/WallForces",
-            groupThreads: 64, buffers: 13, writableBuffers: 6, groupMemory: 11520, vertexBuffers: 0,
+            groupThreads: 64, buffers: 14, writableBuffers: 6, groupMemory: 11520, vertexBuffers: 0,
             "PlaceWallPatches")
         { Keyword = "FLUID_WALL_FORCES" };
 

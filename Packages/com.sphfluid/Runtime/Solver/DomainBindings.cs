@@ -43,6 +43,12 @@ namespace SphFluid
             kernel.SetVector(cmd, PeriodRate, on ? settings.PeriodRate : Vector3.zero);
         }
 
+        /// <summary>For a variant that goes by the lengths, of a kernel that has others, after <see cref="SetPeriodic"/>.</summary>
+        public static void SetPeriodicByLengths(CommandBuffer cmd, ComputeKernel kernel)
+        {
+            if (kernel.HasKeyword(PeriodicKeyword)) kernel.SetKeyword(cmd, PeriodicKeyword, false);
+        }
+
         /// <summary>Shaders/Solver/BodyForce.hlsl.</summary>
         public static void SetBodyForce(CommandBuffer cmd, ComputeKernel kernel, in FluidBodyForce force)
         {

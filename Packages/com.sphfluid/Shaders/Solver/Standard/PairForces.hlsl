@@ -3,7 +3,7 @@
 
 // What neighbours do to a particle: symmetric pressure, the parting of close pairs and laminar viscosity (Morris et al. 1997),
 //   a_i = -(1/M) (m sum_j (P_i + P_j) grad W - (2 nu m / rho0) sum_j (W'/r) (v_i - v_j)).
-// A kernel that includes this file has the keyword FLUID_PERIODIC, or defines it, and FLUID_MESH_WALLS and FLUID_GRADIENT_CORRECTION.
+// A kernel that includes this file has the keywords FLUID_PERIODIC, or defines it, FLUID_MESH_WALLS and FLUID_GRADIENT_CORRECTION.
 #include "../Cells/CellRows.hlsl"
 #include "../Cells/NeighbourList.hlsl"
 #include "../Cells/Wendland.hlsl"
@@ -124,15 +124,16 @@ PairSums NeighbourSums(uint id, float3 position, float3 velocity, float pressure
     }
 #if defined(FLUID_GRADIENT_CORRECTION)
     sums.Push += sums.Corrected.Push;
-    MoveOffset(id, sums.Corrected, WallsOf(WallSlot(id), position).Gradient);
 #endif
     return sums;
 }
 
-float3 NeighbourAcceleration(uint id, float3 position, float3 velocity, float pressure)
+// The end of the pairs' work, when it is known by how much walls change the density, 1/m.
+void EndPairs(uint id, PairSums sums, float3 wallGradient)
 {
-    const PairSums sums = NeighbourSums(id, position, velocity, pressure);
-    return (sums.Push - _ViscosityFactor * sums.Drag) * _SlopeFactor;
+#if defined(FLUID_GRADIENT_CORRECTION)
+    MoveOffset(id, sums.Corrected, wallGradient);
+#endif
 }
 
 #endif

@@ -62,16 +62,12 @@ namespace SphFluid
 
         public override void SetDensity(CommandBuffer cmd, ComputeKernel kernel, StandardState state)
         {
-            var buffers = state.ForceBuffers<GradientCorrectionBuffers>();
-            kernel.SetKeyword(cmd, Keyword, buffers != null);
-            if (buffers != null) kernel.Set(cmd, buffers.Corrections);
+            if (SetKeyword(cmd, kernel, state) is { } buffers) kernel.Set(cmd, buffers.Corrections);
         }
 
         public override void SetMotion(CommandBuffer cmd, ComputeKernel kernel, StandardState state, in FluidStep step)
         {
-            var buffers = state.ForceBuffers<GradientCorrectionBuffers>();
-            kernel.SetKeyword(cmd, Keyword, buffers != null);
-            if (buffers == null) return;
+            if (!(SetKeyword(cmd, kernel, state) is { } buffers)) return;
             FluidSolverSettings settings = state.Settings;
             double radius = settings.SupportRadius, sound = settings.SoundSpeed, crossings = step.Length * sound / radius;
             double factor = SlopeFactor(settings);
@@ -84,6 +80,15 @@ namespace SphFluid
             kernel.SetFloat(cmd, SlopeToGradient, (float)(radius * factor));
             kernel.Set(cmd, state.List.Densities);
             kernel.SetOut(cmd, buffers.Corrections);
+        }
+
+        // Its variants have periodic lengths in any case.
+        private static GradientCorrectionBuffers SetKeyword(CommandBuffer cmd, ComputeKernel kernel, StandardState state)
+        {
+            var buffers = state.ForceBuffers<GradientCorrectionBuffers>();
+            if (buffers != null) DomainBindings.SetPeriodicByLengths(cmd, kernel);
+            kernel.SetKeyword(cmd, Keyword, buffers != null);
+            return buffers;
         }
 
         /// <summary>m 210/(π R⁵ ρ0) [1/m²].</summary>

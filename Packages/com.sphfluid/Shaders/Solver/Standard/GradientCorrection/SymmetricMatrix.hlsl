@@ -72,7 +72,8 @@ float InverseSlope(float a, float b, float apart)
 }
 
 // B - 1 of a mean moment over M: its eigenvalues x become w (min(1/x, 1.6) - 1), where w falls from 1 to 0 with the least x from 0.45 to
-// 0.2: particles alone are not changed. Newton's polynomial through the eigenvalues: right to second order in their errors, however near they are to each other.
+// 0.2: particles alone are not changed. By Newton's polynomial through the eigenvalues, which is right to second order in their errors,
+// however near they are to each other.
 SymmetricMatrix Correction(SymmetricMatrix a)
 {
     const float mean = (a.Diagonal.x + a.Diagonal.y + a.Diagonal.z) / 3.0;

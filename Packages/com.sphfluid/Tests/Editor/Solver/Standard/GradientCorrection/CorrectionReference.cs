@@ -47,7 +47,7 @@ namespace SphFluid.Tests
             return correction;
         }
 
-        /// <summary>Shepard's mean of moments about a particle, itself among them, less what of the walls' layers nobody exerts.</summary>
+        /// <summary>Shepard's mean of moments about a particle and itself, less what of the walls' layers nobody exerts.</summary>
         public static double[] Mean(in FluidSolverSettings settings, IReadOnlyList<FluidParticle> particles, double[][] moments, int i)
         {
             double weight = StandardReference.Kernel(0.0, settings.SupportRadius);
@@ -143,30 +143,34 @@ namespace SphFluid.Tests
             return new[] { a[0, 0], a[1, 1], a[2, 2] };
         }
 
-        // Layers of the faces, F = F + F_k − sym(F F_k), and what of them acts, P = sym(P (1 − F_k)) + sym(P_k (1 − F)).
-        private static double[,] Walls(in FluidSolverSettings settings, Double3 p, out double[,] pushed)
+        private static double[,] Walls(FluidSolverSettings settings, Double3 p, out double[,] pushed)
         {
-            double radius = settings.SupportRadius;
             Double3 half = 0.5f * settings.DomainSize;
+            return Layers(settings, Enumerable.Range(0, 3).Where(axis => settings.PeriodLength[axis] == 0f)
+                .SelectMany(axis => new[] { (axis, half[axis] + p[axis]), (axis, half[axis] - p[axis]) }), out pushed);
+        }
+
+        /// <summary>
+        /// Layers behind planes square to an axis, at a distance: F = F + F_k − sym(F F_k), and what of them acts,
+        /// P = sym(P (1 − F_k)) + sym(P_k (1 − F)).
+        /// </summary>
+        public static double[,] Layers(in FluidSolverSettings settings, IEnumerable<(int Axis, double Distance)> planes,
+            out double[,] pushed)
+        {
             var full = new double[3, 3];
             pushed = new double[3, 3];
-            for (int axis = 0; axis < 3; axis++)
+            foreach ((int axis, double distance) in planes)
             {
-                if (settings.PeriodLength[axis] > 0f) continue;
-                foreach (double distance in new[] { half[axis] + p[axis], half[axis] - p[axis] })
+                var own = new double[3, 3];
+                for (int layer = 0; layer < 3; layer++)
                 {
-                    var own = new double[3, 3];
-                    for (int layer = 0; layer < 3; layer++)
-                    {
-                        double z = 2.0 * distance + layer * settings.Spacing;
-                        for (int k = 0; k < 3; k++) own[k, k] += settings.Spacing * LayerMoment(z, radius, k == axis);
-                    }
-                    var acts = new double[3, 3];
-                    acts[axis, axis] = own[axis, axis];
-                    double[,] before = full;
-                    pushed = Sum(Sum(pushed, Product(pushed, own), -1.0), Sum(acts, Product(acts, before), -1.0), 1.0);
-                    full = Sum(Sum(before, own, 1.0), Product(before, own), -1.0);
+                    double z = 2.0 * distance + layer * settings.Spacing;
+                    for (int k = 0; k < 3; k++) own[k, k] += settings.Spacing * LayerMoment(z, settings.SupportRadius, k == axis);
                 }
+                var acts = new double[3, 3];
+                acts[axis, axis] = own[axis, axis];
+                pushed = Sum(Sum(pushed, Product(pushed, own), -1.0), Sum(acts, Product(acts, full), -1.0), 1.0);
+                full = Sum(Sum(full, own, 1.0), Product(full, own), -1.0);
             }
             return full;
         }
@@ -189,7 +193,7 @@ namespace SphFluid.Tests
             return product;
         }
 
-        // Of a plane of particles at a distance z, an area of 1 each: (−W'/r) times the square of the coordinate along the normal, or across.
+        // Of a plane of particles at a distance z, an area of 1 each: (−W'/r) times the squared coordinate along the normal, or across.
         private static double LayerMoment(double z, double radius, bool along)
         {
             const int rings = 400;

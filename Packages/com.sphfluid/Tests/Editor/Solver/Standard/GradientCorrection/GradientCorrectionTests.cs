@@ -5,7 +5,9 @@ using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>What the gradient correction does in a step, against sums over all pairs in double precision, and what becomes of it.</summary>
+    /// <summary>
+    /// What the gradient correction does in a step, against sums over all pairs in double precision, and what becomes of it.
+    /// </summary>
     public sealed class GradientCorrectionTests
     {
         private const float Spacing = 0.05f;
@@ -50,7 +52,8 @@ namespace SphFluid.Tests
             if (isImplicit) settings.Viscosity = 0f;
             using (var rig = new StandardStateRig(settings, count))
             {
-                FluidParticle[] start = rig.FillSorted(ParticleSets.Random(count, (periodic == FluidAxes.All ? 1f : 0.8f) * Domain, 0.5f, 4));
+                Vector3 part = periodic == FluidAxes.All ? Domain : 0.8f * Domain;
+                FluidParticle[] start = rig.FillSorted(ParticleSets.Random(count, part, 0.5f, 4));
                 var random = new System.Random(9);
                 double[] density = start.Select(_ => (double)(float)(settings.RestDensity * (0.9 + 0.25 * random.NextDouble()))).ToArray();
                 double c2 = settings.SoundSpeed * (double)settings.SoundSpeed;
@@ -70,7 +73,8 @@ namespace SphFluid.Tests
                     {
                         double slope = settings.ParticleMass * StandardReference.Slope(d.Length, settings.SupportRadius) / d.Length;
                         expected[i] -= slope / StandardReference.Response(settings) *
-                            (Term(i) * CorrectionReference.Times(corrections[i], d) + Term(j) * CorrectionReference.Times(corrections[j], d));
+                            (Term(i) * CorrectionReference.Times(corrections[i], d) +
+                            Term(j) * CorrectionReference.Times(corrections[j], d));
                     }
                     largest = Math.Max(largest, expected[i].Length);
                 }
@@ -199,7 +203,8 @@ namespace SphFluid.Tests
         private static float[] FillCorrections(StandardStateRig rig, int count, int seed, out double[][] corrections)
         {
             var random = new System.Random(seed);
-            float[] offsets = Enumerable.Range(0, count).Select(i => i % 5 == 4 ? 0f : (float)(200.0 * random.NextDouble() - 50.0)).ToArray();
+            float[] offsets = Enumerable.Range(0, count)
+                .Select(i => i % 5 == 4 ? 0f : (float)(200.0 * random.NextDouble() - 50.0)).ToArray();
             uint[] words = offsets.SelectMany(offset => CorrectionReference
                 .Pack(Enumerable.Range(0, 6).Select(_ => random.NextDouble() - 0.5).ToArray()).Append(StandardStateRig.ToBits(offset)))
                 .ToArray();

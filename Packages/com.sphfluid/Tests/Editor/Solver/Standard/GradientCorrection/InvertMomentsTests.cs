@@ -48,9 +48,7 @@ namespace SphFluid.Tests
                 double[][] moments = Moments(count, 7);
                 double[][] found = Invert(rig, moments);
                 for (int i = 0; i < count; i++)
-                {
                     AssertClose(found[i], CorrectionReference.Correction(OverMoment(settings, moments[i])), i);
-                }
             }
         }
 
@@ -70,8 +68,8 @@ namespace SphFluid.Tests
             }
         }
 
-        // Of every kind that a moment may be of: any, with eigenvalues that are equal, or nearly, near the bounds of the regularisation, and
-        // multiples of the identity.
+        // Of every kind: any, with eigenvalues that are equal, or nearly, near the bounds of the regularisation, and multiples of the
+        // identity.
         private static double[][] Moments(int count, int seed)
         {
             var random = new System.Random(seed);
