@@ -6,8 +6,9 @@ namespace SphFluid
 {
     /// <summary>
     /// A rectangle of a wall on which the force of the liquid is summed over every step, by pressure and by contact: that on a particle
-    /// is spread over a spacing about its nearest point of the wall, up to the wall's edge. Made by <see cref="WallForces.Add"/>. Walls count that are within
-    /// <see cref="Depth"/> of the rectangle and face as it does within 60°: faces of the domain and meshes, at rest or moving.
+    /// is spread over a spacing about its nearest point of the wall, up to the wall's edge. Made by <see cref="WallForces.Add"/>. Walls
+    /// count that are within <see cref="Depth"/> of the rectangle and face as it does within 60°: faces of the domain and meshes, at rest
+    /// or moving. On an edge of the wall what the faces round it push along the normal counts too.
     /// </summary>
     public sealed class WallPatch
     {
