@@ -13,7 +13,7 @@ namespace SphFluid
     public sealed class WallPatch
     {
         private readonly TimeMean samples = new TimeMean();
-        private (Vector3 Centre, Quaternion Rotation, Vector2 Size, object Carrier) covered;
+        private (Vector3 Centre, Quaternion Rotation, Vector2 Size, object Carrier, int Solids) covered;
 
         internal WallPatch()
         {
@@ -115,14 +115,15 @@ namespace SphFluid
         }
 
         /// <summary>Finds <see cref="Cover"/> anew where the rectangle is not as it was when it was found.</summary>
-        /// <param name="place">Place and rotation on what carries it, size, and what carries it.</param>
+        /// <param name="place">Place and rotation on what carries it, size, what carries it, and the number of solids.</param>
         /// <param name="depth">How far before and behind it a wall belongs to it [m].</param>
         /// <param name="settings">The liquid's.</param>
         /// <param name="solids">What it collides with.</param>
-        internal void FindCover((Vector3 Centre, Quaternion Rotation, Vector2 Size, object Carrier) place, float depth,
-            in FluidSolverSettings settings, IReadOnlyList<FluidObstacle> solids)
+        internal void FindCover((Vector3 Centre, Quaternion Rotation, Vector2 Size, object Carrier, int Solids) place,
+            float depth, in FluidSolverSettings settings, IReadOnlyList<FluidObstacle> solids)
         {
             bool isKept = Cover.HasValue && place.Size == covered.Size && ReferenceEquals(place.Carrier, covered.Carrier) &&
+                place.Solids == covered.Solids &&
                 (place.Centre - covered.Centre).magnitude < 1e-3f * settings.Spacing &&
                 Math.Abs(Quaternion.Dot(place.Rotation, covered.Rotation)) > 0.99999f;
             if (isKept) return;
