@@ -57,7 +57,7 @@ internal static class Verbs
         {
             Notes =
             [
-                "reads the newest chart of the device in benchmarks/accuracy and Build/chart; writes DIR/choose.csv, choose.svg and choose.png, with --verify DIR/choose-verify.csv",
+                "reads the newest chart of the device in benchmarks/accuracy and Build/chart; writes DIR/choose.csv, choose.svg and choose.png, with --narrow DIR/accuracy.csv, with --verify DIR/choose-verify.csv",
                 "Where nothing that was measured keeps what is asked, it names the nearest ways, and the exit code is 1.",
                 "For a liquid of another size than the case's own give --length, and --volume where its shape is another; --speed where no gravity moves it.",
             ],

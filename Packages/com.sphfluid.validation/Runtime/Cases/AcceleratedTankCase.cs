@@ -13,7 +13,6 @@ namespace SphFluid.Validation
     {
         private const double Length = 2.0, Depth = 1.0, Gravity = 9.81;
         private const double Slope = 0.05;
-        private const double Periods = 2.0; // of the first mode
         private const double SamplesPerPeriod = 40.0;
 
         /// <inheritdoc/>
@@ -34,9 +33,16 @@ namespace SphFluid.Validation
         /// <inheritdoc/>
         public override string ErrorName => AcceleratedTankMetric.ErrorName;
 
+        /// <inheritdoc/>
+        public override IReadOnlyList<(string Name, double Right)> AlsoHeld =>
+            new[] { ("first mode's period, T/T_exact − 1", 0.0), ("first mode's damping rate over its frequency", 0.0) };
+
         /// <summary>Terms of third order: (k a)² of the first mode at its highest, 0.081 m.</summary>
         /// <inheritdoc/>
         public override double Floor => 0.02;
+
+        /// <inheritdoc/>
+        public override string FloorSource => "the reference's own, as linear waves leave out the third order, (k a)²";
 
         /// <inheritdoc/>
         public override (string X, string Y) AxisTitles => ("t [s]", "level at the end walls over (a/g) L/2");
@@ -59,7 +65,7 @@ namespace SphFluid.Validation
             {
                 Settings = settings,
                 Particles = Level(parameters, settings, width, dx),
-                Duration = Periods * period,
+                Duration = (AcceleratedTankMetric.JudgedPeriods + 1.0) * period,
                 SampleInterval = period / SamplesPerPeriod,
             };
         }
@@ -67,7 +73,7 @@ namespace SphFluid.Validation
         /// <inheritdoc/>
         public override CaseMetric CreateMetric(in CaseParameters parameters, CaseSetup setup) => new AcceleratedTankMetric(
             new TankModes(Length, Depth, Gravity, CaseSettings.EffectiveSoundSpeed(setup.Settings)),
-            -0.5 * setup.Settings.DomainSize.x, Slope);
+            -0.5 * setup.Settings.DomainSize.x, -0.5 * setup.Settings.DomainSize.y, Slope);
 
         // At rest under gravity alone, compressed by it.
         private static FluidParticle[] Level(in CaseParameters parameters, in FluidSolverSettings settings, int width, double dx)

@@ -14,18 +14,29 @@ namespace SphFluid.Validation
 
         private const int Modes = 7;
 
+        /// <summary>Periods of the first mode that levels are judged over; what moves besides is followed for one more.</summary>
+        internal const double JudgedPeriods = 2.0;
+
+        internal const string BesideName = "kinetic energy beside the waves', second period over the waves'";
+        internal const string LeftName = "kinetic energy beside the waves', third period over second";
+
         private readonly TankModes tank;
+        private readonly TankMotion motion;
         private readonly double wall, slope;
         private readonly List<double> times = new List<double>();
         private readonly List<double[]> modes = new List<double[]>();
+        private readonly double[] besides = new double[(int)JudgedPeriods + 1];
+        private double waves;
 
         /// <summary>A metric for one run.</summary>
         /// <param name="tank">The tank.</param>
         /// <param name="wall">x of the end wall of less x [m], simulation space.</param>
+        /// <param name="floor">y of the floor [m].</param>
         /// <param name="slope">a/g: the level rises along x.</param>
-        internal AcceleratedTankMetric(TankModes tank, double wall, double slope)
+        internal AcceleratedTankMetric(TankModes tank, double wall, double floor, double slope)
         {
             this.tank = tank;
+            motion = new TankMotion(tank, wall, floor);
             this.wall = wall;
             this.slope = slope;
         }
@@ -33,6 +44,9 @@ namespace SphFluid.Validation
         /// <inheritdoc/>
         public override void Sample(double time, FluidSnapshot state)
         {
+            double periods = time * tank.Frequency(1) / (2.0 * Math.PI);
+            SampleMotion((int)Math.Floor(periods), state);
+            if (periods > JudgedPeriods + 1e-6) return;
             var measured = new double[Modes];
             tank.Measure(state, wall, measured);
             times.Add(time);
@@ -41,7 +55,8 @@ namespace SphFluid.Validation
 
         /// <summary>
         /// RMS along the tank and over time of the level's error over the exact level's; the first mode's period; the slope that it swings
-        /// about; the damping rate of its swing over its frequency; RMS of the second mode over the first, which second order makes.
+        /// about; the damping rate of its swing over its frequency; RMS of the second mode over the first, which second order makes; kinetic
+        /// energy that is no linear wave's, in the second period over the waves' and in the third over the second: noise and what boils.
         /// </summary>
         public override IReadOnlyList<CaseError> Evaluate()
         {
@@ -57,7 +72,8 @@ namespace SphFluid.Validation
                 first += modes[i][0] * modes[i][0];
                 second += modes[i][1] * modes[i][1];
             }
-            DampedOscillationFit swing = DampedOscillationFit.Of(times, modes.Select(m => m[0]).ToArray(), tank.Frequency(1));
+            DampedOscillationFit swing = DampedOscillationFit.Of(times, modes.Select(m => m[0]).ToArray(), tank.Frequency(1),
+                "accelerated-tank", "the first mode");
             double middle = swing?.Constant / tank.Tilted(1, slope, Math.PI / tank.Frequency(1)) * 2.0 ?? double.NaN;
             return new[]
             {
@@ -66,7 +82,18 @@ namespace SphFluid.Validation
                 new CaseError("slope that it swings about over a/g − 1", middle - 1.0),
                 new CaseError("first mode's damping rate over its frequency", swing?.DampingRate / swing?.Frequency ?? double.NaN),
                 new CaseError("second mode over the first", Math.Sqrt(second / first)),
+                new CaseError(BesideName, besides[1] / waves),
+                new CaseError(LeftName, besides[2] / besides[1]),
             };
+        }
+
+        // Sums over the samples of a period, of which all have as many.
+        private void SampleMotion(int period, FluidSnapshot state)
+        {
+            if (period >= besides.Length) return;
+            (double ofWaves, double beside) = motion.Kinetic(state, Modes);
+            besides[period] += beside;
+            if (period == 1) waves += ofWaves;
         }
 
         /// <inheritdoc/>

@@ -35,9 +35,16 @@ namespace SphFluid.Validation
         /// <inheritdoc/>
         public override string ErrorName => CapillaryDropMetric.ErrorName;
 
+        /// <inheritdoc/>
+        public override IReadOnlyList<(string Name, double Right)> AlsoHeld =>
+            new[] { ("damping beyond the set viscosity's over the frequency", 0.0), ("radius at the end over the start's − 1", 0.0) };
+
         /// <summary>A swing of a tenth of the radius is slower than a small one by about its square.</summary>
         /// <inheritdoc/>
         public override double Floor => 0.01;
+
+        /// <inheritdoc/>
+        public override string FloorSource => "the reference's own, as Lamb's swing is a small one";
 
         /// <inheritdoc/>
         public override (string X, string Y) AxisTitles => ("t over Lamb's period", "length against breadth over the start's");

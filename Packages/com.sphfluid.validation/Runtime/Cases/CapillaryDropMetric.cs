@@ -57,7 +57,7 @@ namespace SphFluid.Validation
         /// </summary>
         public override IReadOnlyList<CaseError> Evaluate()
         {
-            DampedOscillationFit fit = DampedOscillationFit.Of(times, lengths, frequency);
+            DampedOscillationFit fit = DampedOscillationFit.Of(times, lengths, frequency, "capillary-drop", "the drop");
             double period = frequency / fit?.Frequency - 1.0 ?? double.NaN, rate = fit?.DampingRate ?? double.NaN;
             return new[]
             {

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 
 namespace SphFluid.Validation
 {
@@ -7,7 +8,7 @@ namespace SphFluid.Validation
     public sealed class CaseMethod
     {
         private CaseMethod(string name, string title, FluidMethodKind kind, double supportRatio, bool feelsWalls = false,
-            bool hasTension = false)
+            bool hasTension = false, bool correctsGradient = false, bool isReference = false)
         {
             Name = name;
             Title = title;
@@ -15,6 +16,8 @@ namespace SphFluid.Validation
             SupportRatio = supportRatio;
             FeelsWalls = feelsWalls;
             HasTension = hasTension;
+            CorrectsGradient = correctsGradient;
+            IsReference = isReference;
         }
 
         /// <summary>Name, for instance "thesis".</summary>
@@ -35,38 +38,35 @@ namespace SphFluid.Validation
         /// <summary>Whether surface tension acts in the method.</summary>
         public bool HasTension { get; }
 
+        /// <summary>Whether the pressure's gradient is corrected: <see cref="FluidRuleInput.GradientCorrection"/>.</summary>
+        public bool CorrectsGradient { get; }
+
+        /// <summary>Whether it is measured only for others to be held against: fewer points, and no choice of users.</summary>
+        public bool IsReference { get; }
+
         /// <summary>All methods, the best last.</summary>
         public static IReadOnlyList<CaseMethod> All { get; } = new[]
         {
-            new CaseMethod("thesis-printed", "thesis, as printed", FluidMethodKind.ThesisPrinted, 2.0),
+            new CaseMethod("thesis-printed", "thesis, as printed", FluidMethodKind.ThesisPrinted, 2.0, isReference: true),
             new CaseMethod("thesis", "thesis, corrected", FluidMethodKind.Thesis, 2.0),
             new CaseMethod("robust", "robust", FluidMethodKind.Robust, 2.25),
-            new CaseMethod("standard", "standard", FluidMethodKind.Standard, 2.25, feelsWalls: true, hasTension: true),
+            new CaseMethod("standard-uncorrected", "standard, uncorrected", FluidMethodKind.Standard, 2.25, feelsWalls: true,
+                hasTension: true, isReference: true),
+            new CaseMethod("standard", "standard", FluidMethodKind.Standard, 2.25, feelsWalls: true, hasTension: true,
+                correctsGradient: true),
         };
 
         /// <summary>Whether settings are of one of the thesis's methods.</summary>
         internal static bool IsThesis(in FluidSolverSettings settings) =>
             settings.Method == FluidMethodKind.Thesis || settings.Method == FluidMethodKind.ThesisPrinted;
 
-        /// <summary>The method of a kind.</summary>
-        public static CaseMethod Of(FluidMethodKind kind)
-        {
-            foreach (CaseMethod method in All)
-            {
-                if (method.Kind == kind) return method;
-            }
+        /// <summary>The best method of a kind.</summary>
+        public static CaseMethod Of(FluidMethodKind kind) => All.LastOrDefault(m => m.Kind == kind) ??
             throw new ArgumentException($"There is no method {kind}.", nameof(kind));
-        }
 
         /// <summary>The method of a name.</summary>
         /// <exception cref="ArgumentException">There is none.</exception>
-        public static CaseMethod Find(string name)
-        {
-            foreach (CaseMethod method in All)
-            {
-                if (method.Name == name) return method;
-            }
+        public static CaseMethod Find(string name) => All.FirstOrDefault(m => m.Name == name) ??
             throw new ArgumentException($"There is no method '{name}'.", nameof(name));
-        }
     }
 }

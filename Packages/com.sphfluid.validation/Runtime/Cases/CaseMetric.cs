@@ -23,6 +23,7 @@ namespace SphFluid.Validation
         }
 
         /// <summary>The errors at the end, the case's main one first.</summary>
+        /// <exception cref="SearchBoundException">A fit ended at the bound of its search.</exception>
         public abstract IReadOnlyList<CaseError> Evaluate();
 
         /// <summary>Measured and reference curves for a picture; empty when the case has none.</summary>

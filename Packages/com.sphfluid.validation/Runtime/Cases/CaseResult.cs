@@ -40,5 +40,22 @@ namespace SphFluid.Validation
 
         /// <summary>Whether it failed.</summary>
         public bool Failed => Failure != null;
+
+        /// <summary>
+        /// Takes a metric's curves and, of a run that has not failed, its errors. A fit that ended at the bound of its search is a failure.
+        /// </summary>
+        internal void Take(CaseMetric metric)
+        {
+            Series = metric.Series();
+            if (Failed) return;
+            try
+            {
+                Errors = metric.Evaluate();
+            }
+            catch (SearchBoundException exception)
+            {
+                Failure = exception.Message;
+            }
+        }
     }
 }

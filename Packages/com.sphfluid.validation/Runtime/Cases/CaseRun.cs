@@ -142,13 +142,12 @@ namespace SphFluid.Validation
                 Steps = solver.StepCount,
                 Counters = solver.ReadCountersNow(),
                 SimulatedSeconds = solver.SimulatedTime,
-                Series = metric.Series(),
                 TimeStep = setup.Settings.TimeStep,
                 GpuTimes = stepper.GpuTimes,
                 GpuMsPerSecond = stepper.GpuTimes.Median / setup.Settings.TimeStep,
                 CpuMsPerSecond = stepper.CpuMilliseconds / setup.Settings.TimeStep,
             };
-            if (failure == null) result.Errors = metric.Evaluate();
+            result.Take(metric);
             return result;
         }
     }

@@ -26,11 +26,27 @@ namespace SphFluid.Validation
         /// <summary>Ordinates.</summary>
         public List<double> Y { get; } = new List<double>();
 
+        /// <summary>
+        /// Upper edge where this is a band, for instance of experiments, whose lower edge is <see cref="Y"/>, behind the reference of its
+        /// name; empty for a curve.
+        /// </summary>
+        public List<double> Upper { get; } = new List<double>();
+
+        /// <summary>Whether it is a band.</summary>
+        public bool IsBand => Upper.Count > 0;
+
         /// <summary>Adds a point.</summary>
         public void Add(double x, double y)
         {
             X.Add(x);
             Y.Add(y);
+        }
+
+        /// <summary>Adds a place of a band.</summary>
+        public void AddBand(double x, double low, double high)
+        {
+            Add(x, low);
+            Upper.Add(high);
         }
     }
 }

@@ -38,7 +38,7 @@ namespace SphFluid.Validation
             input.TimeStepFraction = (float)parameters.TimeStepFraction;
             input.SurfaceTension = (float)tension;
             input.TensionAtAnySpacing = true;
-            input.GradientCorrection = Environment.GetEnvironmentVariable("SPHFLUID_CORRECTION") == "1";
+            input.GradientCorrection = parameters.Method.CorrectsGradient;
             if (viscosity.HasValue)
             {
                 input.KinematicViscosity = (float)viscosity.Value;

@@ -34,6 +34,9 @@ namespace SphFluid.Validation
         public override string ErrorName => ChannelMetric.ErrorName;
 
         /// <inheritdoc/>
+        public override IReadOnlyList<(string Name, double Right)> AlsoHeld => new[] { ("flow across the channel, RMS/u_max", 0.0) };
+
+        /// <inheritdoc/>
         public override (string X, string Y) AxisTitles => ("y/L", "u/u_max");
 
         /// <inheritdoc/>

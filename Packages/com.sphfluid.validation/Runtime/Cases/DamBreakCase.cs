@@ -38,10 +38,18 @@ namespace SphFluid.Validation
         public override string ErrorName => DamBreakMetric.ErrorName;
 
         /// <inheritdoc/>
+        public override IReadOnlyList<(string Name, double Right)> AlsoHeld =>
+            new[] { ("front, slope dZ/dT − 1", 0.0), ("height, largest error", 0.0) };
+
+        /// <inheritdoc/>
         public override string CompanionErrorName => DamBreakMetric.RawName;
 
         /// <inheritdoc/>
         public override double Floor => MartinMoyce.Floor;
+
+        /// <inheritdoc/>
+        public override string FloorSource =>
+            "two columns of the experiment lie so far apart, and another experiment 6 %";
 
         /// <inheritdoc/>
         public override string Caution =>

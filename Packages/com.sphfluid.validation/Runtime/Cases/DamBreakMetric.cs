@@ -24,7 +24,7 @@ namespace SphFluid.Validation
         /// </summary>
         public const double BesideBand = 6.0;
 
-        /// <summary>Largest time shift that is tried, in T.</summary>
+        /// <summary>Largest time shift that counts, in T.</summary>
         public const double LargestShift = 0.5;
 
         /// <summary>Last τ at which heights are compared: later the sheet at the closed end is a few spacings thick.</summary>
@@ -34,6 +34,9 @@ namespace SphFluid.Validation
 
         // T = 0.41 is left out: the gate has hardly left. The slope is that of the steady part, T ≥ 1.43.
         private const int FirstPoint = 1, FirstSlopePoint = 3;
+
+        private static readonly SearchRange shifts = new SearchRange("dam-break", "the front's shift in T", -LargestShift, LargestShift,
+            "A run so far from the experiment is wrong, or the range in DamBreakMetric too narrow: look at its front.");
 
         private readonly FluidSolverSettings settings;
         private readonly double width;
@@ -71,7 +74,7 @@ namespace SphFluid.Validation
         /// </summary>
         public override IReadOnlyList<CaseError> Evaluate()
         {
-            double shift = Shift();
+            double shift = TimeShiftFit.Best(front, MartinMoyce.FrontTimes, MartinMoyce.Fronts, FirstPoint, shifts);
             return new[]
             {
                 new CaseError(ErrorName, Rms(shift)),
@@ -94,8 +97,7 @@ namespace SphFluid.Validation
                 heights.Add(MartinMoyce.HeightTimes[i] * Math.Sqrt(2.0), MartinMoyce.Heights[i]);
             }
             var result = new List<CaseSeries> { fronts, heights, front.ToSeries("Z, raw", 1.0, 0.0) };
-            double shift = Shift();
-            if (!double.IsNaN(shift))
+            if (TimeShiftFit.TryBest(front, MartinMoyce.FrontTimes, MartinMoyce.Fronts, FirstPoint, shifts, out double shift))
             {
                 result.Add(front.ToSeries(FormattableString.Invariant($"Z, shifted by {-shift:+0.00;-0.00;0.00}"), 1.0, -shift));
             }
@@ -115,8 +117,6 @@ namespace SphFluid.Validation
             }
             return LiquidReach.Of(distances, (int)row, settings.Spacing).Edge;
         }
-
-        private double Shift() => TimeShiftFit.Best(front, MartinMoyce.FrontTimes, MartinMoyce.Fronts, FirstPoint, LargestShift);
 
         private double Rms(double shift) => TimeShiftFit.RelativeRms(front, MartinMoyce.FrontTimes, MartinMoyce.Fronts, FirstPoint, shift);
 

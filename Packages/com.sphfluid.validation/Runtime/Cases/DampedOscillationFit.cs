@@ -6,8 +6,8 @@ namespace SphFluid.Validation
     /// <summary>The function C + e^(−γt) (A cos ωt + B sin ωt) of least squares through samples.</summary>
     public sealed class DampedOscillationFit
     {
-        private const int FrequencySteps = 90;
-        private const int RateSteps = 30;
+        private const double FrequencyStep = 0.025, RateStep = 0.04; // over the expected frequency
+        private const double Beyond = 1.5;                           // of the range of frequencies that is sought
         private const double LowestFrequency = 0.25, HighestFrequency = 2.5; // over the expected one
         private const double LowestRate = -0.2, HighestRate = 1.0;           // over the expected frequency
 
@@ -34,29 +34,29 @@ namespace SphFluid.Validation
         public double Period => 2.0 * Math.PI / Frequency;
 
         /// <summary>
-        /// Fits. ω and γ are scanned in the ranges ω/ω0 = 0.25 to 2.5, γ/ω0 = −0.2 to 1 and refined by halving steps;
-        /// A, B and C follow from each pair by linear least squares.
+        /// Fits. ω/ω0 may be 0.25 to 2.5 and γ/ω0 −0.2 to 1; both are scanned, and refined by halving steps wherever that leads. A, B and C
+        /// follow from each pair by linear least squares.
         /// </summary>
         /// <param name="times">Times of the samples [s].</param>
         /// <param name="values">Samples.</param>
         /// <param name="expectedFrequency">ω0 [1/s].</param>
-        /// <returns>The fit; null with fewer than eight samples, or without an oscillation: constant samples, the best ω at the end of
-        /// its range, or more than half of the variance left.</returns>
-        public static DampedOscillationFit Of(IReadOnlyList<double> times, IReadOnlyList<double> values, double expectedFrequency)
+        /// <param name="validationCase">Name of the case whose fit it is.</param>
+        /// <param name="what">What swings, for instance "the first mode".</param>
+        /// <returns>The fit; null with fewer than eight samples, or without an oscillation: constant samples, or more than half of the
+        /// variance left.</returns>
+        /// <exception cref="SearchBoundException">The best ω or γ lies at a bound of its range or outside.</exception>
+        public static DampedOscillationFit Of(IReadOnlyList<double> times, IReadOnlyList<double> values, double expectedFrequency,
+            string validationCase, string what)
         {
             double variance = Variance(values, out double mean);
             if (values.Count < 8 || !(variance > 1e-20 * mean * mean) || double.IsInfinity(variance)) return null;
 
-            double stepW = (HighestFrequency - LowestFrequency) / FrequencySteps * expectedFrequency;
-            double stepG = (HighestRate - LowestRate) / RateSteps * expectedFrequency;
             double bestW = 0.0, bestG = 0.0, best = double.PositiveInfinity;
-            for (int i = 0; i <= FrequencySteps; i++)
+            for (double w = LowestFrequency / Beyond; w <= HighestFrequency * Beyond; w += FrequencyStep)
             {
-                for (int j = 0; j <= RateSteps; j++)
-                {
-                    Try(LowestFrequency * expectedFrequency + i * stepW, LowestRate * expectedFrequency + j * stepG);
-                }
+                for (double g = LowestRate; g <= HighestRate; g += RateStep) Try(w * expectedFrequency, g * expectedFrequency);
             }
+            double stepW = FrequencyStep * expectedFrequency, stepG = RateStep * expectedFrequency;
             while (stepW > 1e-9 * expectedFrequency)
             {
                 double before = best, centreW = bestW, centreG = bestG;
@@ -70,8 +70,9 @@ namespace SphFluid.Validation
                     stepG *= 0.5;
                 }
             }
-            bool inside = bestW > LowestFrequency * expectedFrequency && bestW < HighestFrequency * expectedFrequency;
-            if (!inside || !(best < 0.5 * values.Count * variance)) return null;
+            if (!(best < 0.5 * values.Count * variance)) return null;
+            Range("frequency", LowestFrequency, HighestFrequency).Require(bestW / expectedFrequency);
+            Range("damping rate", LowestRate, HighestRate).Require(bestG / expectedFrequency);
             double[] c = Linear(times, values, bestW, bestG, out _);
             return new DampedOscillationFit
             {
@@ -81,6 +82,11 @@ namespace SphFluid.Validation
                 Amplitude = Math.Sqrt(c[0] * c[0] + c[1] * c[1]),
                 Residual = Math.Sqrt(best / values.Count / variance),
             };
+
+            SearchRange Range(string quantity, double low, double high) => new SearchRange(validationCase,
+                $"the {quantity} of {what} over the expected frequency", low, high,
+                $"Look at its curves: where {what} does not swing as it should, the run is wrong; else widen the range in " +
+                "DampedOscillationFit.");
 
             void Try(double w, double g)
             {

@@ -37,6 +37,10 @@ namespace SphFluid.Validation
         public override string ErrorName => EllipsoidMetric.ErrorName;
 
         /// <inheritdoc/>
+        public override IReadOnlyList<(string Name, double Right)> AlsoHeld =>
+            new[] { ("period, |T/T_exact − 1|", 0.0), ("second maximum over the exact one", 1.0) };
+
+        /// <inheritdoc/>
         public override (string X, string Y) AxisTitles => ("t [1/ω]", "half axis along z over its start");
 
         /// <inheritdoc/>

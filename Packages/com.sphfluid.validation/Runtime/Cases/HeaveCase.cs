@@ -35,9 +35,21 @@ namespace SphFluid.Validation
         /// <inheritdoc/>
         public override string ErrorName => HeaveMetric.ErrorName;
 
+        /// <inheritdoc/>
+        public override IReadOnlyList<(string Name, double Right)> AlsoHeld => new[]
+        {
+            ("floats too high, over the draught", 0.0),
+            ("first trough, time over the exact one − 1", 0.0),
+            ("first trough, depth over the exact one − 1", 0.0),
+        };
+
         /// <summary>What the linear reference leaves out is of the order of (height at the start over draught)².</summary>
         /// <inheritdoc/>
         public override double Floor => 0.04;
+
+        /// <inheritdoc/>
+        public override string FloorSource =>
+            "the reference's own, as linear flow leaves out (height at the start over draught)²";
 
         /// <inheritdoc/>
         public override (string X, string Y) AxisTitles => ("t [s]", "height above rest over that at the start");

@@ -40,6 +40,10 @@ namespace SphFluid.Validation
         public override string ErrorName => HydrostaticMetric.ErrorName;
 
         /// <inheritdoc/>
+        public override IReadOnlyList<(string Name, double Right)> AlsoHeld =>
+            new[] { ("height lost beyond the equation of state's", 0.0), ("v_rms/√(gH)", 0.0) };
+
+        /// <inheritdoc/>
         public override string Caution =>
             "Compared is the pressure that pushes. Standard reads it; the thesis method reads twice as much, " +
             "because the ½ of its equation (13) halves the force.";

@@ -35,9 +35,17 @@ namespace SphFluid.Validation
         /// <inheritdoc/>
         public override string ErrorName => JetMetric.ErrorName;
 
+        /// <inheritdoc/>
+        public override IReadOnlyList<(string Name, double Right)> AlsoHeld =>
+            new[] { ("speed of the sheets over U − 1", 0.0), ("energy lost by the sheets", 0.0) };
+
         /// <summary>The liquid's own compression where it is stopped is ½ (U/c)² at the base.</summary>
         /// <inheritdoc/>
         public override double Floor => 0.005;
+
+        /// <inheritdoc/>
+        public override string FloorSource =>
+            "the reference's own, as it is of a liquid that ½(U/c)² does not compress";
 
         /// <inheritdoc/>
         public override (string X, string Y) AxisTitles => ("t U/b", "force over ρ U² b a metre");

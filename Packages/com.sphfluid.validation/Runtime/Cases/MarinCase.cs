@@ -42,6 +42,9 @@ namespace SphFluid.Validation
         public override string ErrorName => MarinMetric.ErrorName;
 
         /// <inheritdoc/>
+        public override IReadOnlyList<(string Name, double Right)> AlsoHeld => new[] { ("returning wave, height − 1", 0.0) };
+
+        /// <inheritdoc/>
         public override string Caution => "An error of 1 is no water at all, 0.40 is water that stands at its final level all the time; " +
             "a grid solver's own test suite accepts 0.35.";
 

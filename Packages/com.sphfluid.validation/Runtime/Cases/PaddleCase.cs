@@ -36,9 +36,17 @@ namespace SphFluid.Validation
         /// <inheritdoc/>
         public override string ErrorName => PaddleMetric.ErrorName;
 
+        /// <inheritdoc/>
+        public override IReadOnlyList<(string Name, double Right)> AlsoHeld =>
+            new[] { ("height of the waves over the linear ones' − 1", 0.0), ("waves late, in periods", 0.0) };
+
         /// <summary>Stokes's second harmonic over the first, (ka/4) cosh kH (2 + cosh 2kH)/sinh³ kH at a = 0.056 m.</summary>
         /// <inheritdoc/>
         public override double Floor => 0.06;
+
+        /// <inheritdoc/>
+        public override string FloorSource =>
+            "the reference's own, as linear waves leave out Stokes's second harmonic";
 
         /// <inheritdoc/>
         public override (string X, string Y) AxisTitles => ("t/T", "level above the mean over the stroke");

@@ -43,10 +43,17 @@ namespace SphFluid.Validation
         /// <inheritdoc/>
         public override string ErrorName => StandingWaveMetric.ErrorName;
 
+        /// <inheritdoc/>
+        public override IReadOnlyList<(string Name, double Right)> AlsoHeld => new[] { ("numerical viscosity/ν", 0.0) };
+
         /// <summary>
         /// A wave of finite amplitude is slower by (ka)²/8 in deep water (Penney and Price 1952), which linear theory leaves out.
         /// </summary>
         public override double Floor => WaveNumber * WaveNumber * Amplitude * Amplitude / 8.0;
+
+        /// <inheritdoc/>
+        public override string FloorSource =>
+            "the reference's own, as a wave of this height is slower than a low one by (k a)²/8";
 
         /// <inheritdoc/>
         public override (string X, string Y) AxisTitles => ("t [s]", "first mode of the elevation over its start");

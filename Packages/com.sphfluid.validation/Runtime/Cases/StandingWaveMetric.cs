@@ -66,7 +66,7 @@ namespace SphFluid.Validation
             DampedOscillationFit fit = first < 0
                 ? null
                 : DampedOscillationFit.Of(times.GetRange(first, times.Count - first),
-                    modes.GetRange(first, times.Count - first), frequency);
+                    modes.GetRange(first, times.Count - first), frequency, "standing-wave", "the first mode");
             double period = fit == null ? double.NaN : frequency / fit.Frequency - 1.0;
             double effective = fit == null ? double.NaN : fit.DampingRate / (2.0 * waveNumber * waveNumber);
             return new[]

@@ -17,8 +17,14 @@ namespace SphFluid.Validation
         /// <summary>Name of the main error, the first of its metric.</summary>
         public abstract string ErrorName { get; }
 
-        /// <summary>Errors below this are below what the reference itself is good for.</summary>
+        /// <summary>
+        /// Errors below this are below what the reference itself is good for: how far independent solutions or experiments lie apart, or
+        /// what it leaves out.
+        /// </summary>
         public virtual double Floor => 0.0;
+
+        /// <summary>What the floor is, a phrase: "two experiments lie so far apart"; empty where there is none.</summary>
+        public virtual string FloorSource => "";
 
         /// <summary>True for cases that are either right or wrong: they are tested, and not part of the chart.</summary>
         public virtual bool IsGate => false;
@@ -34,6 +40,12 @@ namespace SphFluid.Validation
 
         /// <summary>Name of an error that the chart shows beside the main one, in a panel of its own; null for none.</summary>
         public virtual string CompanionErrorName => null;
+
+        /// <summary>
+        /// Errors that must be small too where the flow is to be right, with what each is in the right flow: energy, shape, level. An
+        /// answer of <c>choose</c> holds them or names them.
+        /// </summary>
+        public virtual IReadOnlyList<(string Name, double Right)> AlsoHeld => System.Array.Empty<(string, double)>();
 
         /// <summary>
         /// Words for the kind of flow by which <c>choose</c> finds the case, for instance "splash"; no two cases share one.

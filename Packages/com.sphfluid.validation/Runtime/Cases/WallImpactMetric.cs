@@ -1,28 +1,27 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 
 namespace SphFluid.Validation
 {
     /// <summary>
-    /// The pressure that a gauge in a wall feels, force per area averaged between samples, held against <see cref="BuchnerPressure"/>. The
-    /// experiment's clock starts with a gate: one shift in time is fitted and told.
+    /// The pressure that four gauges in a wall feel, force per area averaged between samples, held against
+    /// <see cref="ConvergedPressure"/> by the run's own time, which begins when the water is let go.
     /// </summary>
     public sealed class WallImpactMetric : CaseMetric
     {
-        internal const string ErrorName = "pressure, shifted RMS over its own";
-        internal const string RawName = "pressure, RMS over its own";
+        internal const string ErrorName = "pressure at four gauges, RMS over their own";
 
-        /// <summary>Largest shift, in √(H/g).</summary>
-        public const double LargestShift = 0.3;
+        // In √(H/g): what is compared are means over Width, Part apart, from the first whose water may have come to the last.
+        private const double Width = 0.3, Part = 0.05, First = 2.35, Last = 5.85;
 
-        // In √(H/g): the record in equal parts, and where the pressure is even.
-        private const double Part = 0.05, EvenFrom = 3.3, EvenTo = 5.0;
+        // By when the lowest gauge has felt so much of ρ g H √(H/g), the water has come: what it feels in a fortieth of √(H/g).
+        private const double Arrival = 0.05;
 
-        private static readonly SampledCurve record = Record();
+        private static readonly MeanCurve[] converged = ConvergedPressure.Pressures.Select(Curve).ToArray();
 
         private readonly double time, pressure;
-        private readonly SampledCurve measured = new SampledCurve();
-        private double last;
+        private readonly MeanCurve[] gauges = ConvergedPressure.Gauges.Select(_ => new MeanCurve(0.0)).ToArray();
 
         /// <summary>A metric for one run.</summary>
         /// <param name="time">√(H/g) [s].</param>
@@ -33,12 +32,16 @@ namespace SphFluid.Validation
             this.pressure = pressure;
         }
 
+        /// <summary>What this metric finds between two solvers that have converged.</summary>
+        internal static double BetweenSolvers { get; } = Errors(ConvergedPressure.SecondSolver.Select(Curve).ToArray()).Average();
+
         /// <inheritdoc/>
         public override void Read(double time, CaseReadings readings)
         {
-            // A mean between two samples is that of the time between them.
-            if (time > 0.0 && readings.Pressures.Count > 0) measured.Add(0.5 * (last + time) / this.time, readings.Pressures[0] / pressure);
-            last = time;
+            for (int i = 0; time > 0.0 && i < readings.Pressures.Count; i++)
+            {
+                gauges[i].Add(time / this.time, readings.Pressures[i] / pressure);
+            }
         }
 
         /// <inheritdoc/>
@@ -47,75 +50,62 @@ namespace SphFluid.Validation
         }
 
         /// <summary>
-        /// RMS of the pressure's error over the record's after the shift of least error; without it; the shift, positive where the record
-        /// is later; the mean while the pressure is even, and the highest, over the record's, less 1.
+        /// The mean over the gauges of RMS(p − p_converged)/RMS(p_converged) of means over 0.3 √(H/g); each gauge's; what all gauges feel
+        /// over what they should, less 1; how late the water comes; the highest mean at the lowest gauge over the converged one, less 1.
         /// </summary>
         public override IReadOnlyList<CaseError> Evaluate()
         {
-            double shift = BestShift();
-            return new[]
-            {
-                new CaseError(ErrorName, Rms(shift)),
-                new CaseError(RawName, Rms(0.0)),
-                new CaseError("shift in time over √(H/g)", -shift),
-                new CaseError("even pressure over the record's − 1", Mean(measured, shift) / Mean(record, 0.0) - 1.0),
-                new CaseError("highest pressure over the record's − 1", Highest(measured) / Highest(record) - 1.0),
-            };
+            double[] errors = Errors(gauges);
+            var result = new List<CaseError> { new CaseError(ErrorName, errors.Average()) };
+            for (int i = 0; i < errors.Length; i++) result.Add(new CaseError($"pressure at {Place(i)}, RMS over its own", errors[i]));
+            result.Add(new CaseError("impulse on the gauges over the converged one − 1", gauges.Sum(Felt) / converged.Sum(Felt) - 1.0));
+            result.Add(new CaseError("water comes late, over √(H/g)", gauges[0].TimeOf(Arrival) - converged[0].TimeOf(Arrival)));
+            result.Add(new CaseError($"highest mean at {Place(0)} over the converged one − 1",
+                Highest(gauges[0]) / Highest(converged[0]) - 1.0));
+            return result;
         }
 
         /// <inheritdoc/>
         public override IReadOnlyList<CaseSeries> Series()
         {
-            var exact = new CaseSeries("Buchner's gauge", true);
-            foreach ((double x, double y) in record.Points) exact.Add(x, y);
-            return new[] { exact, measured.ToSeries("gauge", 1.0, 0.0) };
-        }
-
-        private static SampledCurve Record()
-        {
-            var curve = new SampledCurve();
-            for (int i = 0; i < BuchnerPressure.Times.Length; i++) curve.Add(BuchnerPressure.Times[i], BuchnerPressure.Pressures[i]);
-            return curve;
-        }
-
-        private double BestShift()
-        {
-            double best = double.NaN, least = double.PositiveInfinity;
-            for (int i = -300; i <= 300; i++)
+            var series = new List<CaseSeries>();
+            for (int i = 0; i < gauges.Length; i++)
             {
-                double rms = Rms(LargestShift * i / 300.0);
-                if (rms < least) (least, best) = (rms, LargestShift * i / 300.0);
+                string name = $"{Place(i)}, converged";
+                series.Add(converged[i].ToSeries(name, ConvergedPressure.Start, true));
+                if (MeasuredPressure.Experiments[i].Length > 0) series.Add(Experiments(name, MeasuredPressure.Experiments[i]));
+                series.Add(gauges[i].ToSeries(Place(i), ConvergedPressure.Start));
             }
-            return best;
+            return series;
         }
 
-        // Of p(t + shift) against the record at t; not a number where the run does not reach.
-        private double Rms(double shift)
+        private static CaseSeries Experiments(string name, double[][] experiments)
         {
-            double squares = 0.0, own = 0.0;
-            for (double t = BuchnerPressure.Times[0]; t <= record.LastX - LargestShift; t += Part)
+            var band = new CaseSeries(name, true);
+            for (int i = 0; i < experiments[0].Length; i++)
             {
-                double right = record.At(t), error = measured.At(t + shift) - right;
-                squares += error * error;
-                own += right * right;
+                band.AddBand(ConvergedPressure.Start + (i + 0.5) * MeasuredPressure.Interval, experiments.Min(e => e[i]),
+                    experiments.Max(e => e[i]));
             }
-            return Math.Sqrt(squares / own);
+            return band;
         }
 
-        private static double Mean(SampledCurve curve, double shift)
-        {
-            double sum = 0.0;
-            int count = 0;
-            for (double t = EvenFrom; t <= EvenTo; t += Part, count++) sum += curve.At(t + shift);
-            return sum / count;
-        }
+        private static string Place(int gauge) => FormattableString.Invariant($"y = {ConvergedPressure.Gauges[gauge]:0.00} H");
 
-        // From the first hit on, and before the water comes back.
-        private static double Highest(SampledCurve curve)
-        {
-            double highest = double.NegativeInfinity;
-            foreach ((double x, double y) in curve.Points) highest = x <= EvenTo ? Math.Max(highest, y) : highest;
-            return highest;
-        }
+        private static MeanCurve Curve(double[] means) => new MeanCurve(ConvergedPressure.Start, ConvergedPressure.Interval, means);
+
+        private static IEnumerable<double> Times() =>
+            Enumerable.Range(0, (int)Math.Round((Last - First) / Part) + 1).Select(i => First + i * Part);
+
+        // Not numbers where a run ends early.
+        private static double[] Errors(MeanCurve[] curves) => curves.Select((curve, i) =>
+            Math.Sqrt(Times().Sum(t => Square(curve.Mean(t, Width) - converged[i].Mean(t, Width))) /
+                Times().Sum(t => Square(converged[i].Mean(t, Width))))).ToArray();
+
+        private static double Felt(MeanCurve curve) => curve.Integral(Last + 0.5 * Width) - curve.Integral(First - 0.5 * Width);
+
+        private static double Highest(MeanCurve curve) => Times().Max(t => curve.Mean(t, Width));
+
+        private static double Square(double value) => value * value;
     }
 }

@@ -6,7 +6,7 @@ namespace SphFluid.Validation
     /// <summary>The curves of a case that a chart's folder has: those of each method's run, and the references.</summary>
     internal sealed class CaseCurves
     {
-        private readonly List<CaseSeries> references = new List<CaseSeries>();
+        private readonly List<CaseSeries> references = new List<CaseSeries>(), bands = new List<CaseSeries>();
         private readonly List<Run> runs = new List<Run>();
 
         /// <summary>Reads them.</summary>
@@ -18,7 +18,7 @@ namespace SphFluid.Validation
             {
                 IReadOnlyList<CaseSeries> curves =
                     CurveFile.Read(folder, validationCase.Name, CaseMethod.All[m].Name, out string constants);
-                foreach (CaseSeries reference in curves.Where(c => c.IsReference)) Keep(reference);
+                foreach (CaseSeries reference in curves.Where(c => c.IsReference)) Keep(reference.IsBand ? bands : references, reference);
                 List<CaseSeries> measured = curves.Where(c => !c.IsReference).ToList();
                 if (measured.Count > 0) runs.Add(new Run(m, constants, measured));
             }
@@ -27,17 +27,20 @@ namespace SphFluid.Validation
         /// <summary>The references, the longest of each name.</summary>
         public IReadOnlyList<CaseSeries> References => references;
 
+        /// <summary>The band behind a reference; null for none.</summary>
+        public CaseSeries BandOf(CaseSeries reference) => bands.Find(b => b.Name == reference.Name);
+
         /// <summary>The runs, one of each method that has curves.</summary>
         public IReadOnlyList<Run> Runs => runs;
 
         // A run that ends early has a reference that ends there too.
-        private void Keep(CaseSeries reference)
+        private static void Keep(List<CaseSeries> kept, CaseSeries reference)
         {
-            int known = references.FindIndex(r => r.Name == reference.Name);
+            int known = kept.FindIndex(r => r.Name == reference.Name);
             if (known < 0)
-                references.Add(reference);
-            else if (End(reference) > End(references[known]))
-                references[known] = reference;
+                kept.Add(reference);
+            else if (End(reference) > End(kept[known]))
+                kept[known] = reference;
         }
 
         private static double End(CaseSeries curve) => curve.X.Count == 0 ? double.NegativeInfinity : curve.X.Max();

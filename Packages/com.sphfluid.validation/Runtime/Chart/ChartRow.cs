@@ -70,7 +70,7 @@ namespace SphFluid.Validation
         /// <summary>Whether the run failed.</summary>
         public bool Failed { get; private set; }
 
-        /// <summary>Why; empty when it did not.</summary>
+        /// <summary>Why, or that this error could not be measured; empty when all is well.</summary>
         public string Reason { get; private set; }
 
         /// <summary>Steps done.</summary>
@@ -106,8 +106,7 @@ namespace SphFluid.Validation
             ChartConfig config = run.Config;
             IReadOnlyList<CaseError> errors = result.Errors.Count > 0 ? result.Errors
                 : new[] { new CaseError(config.Case.ErrorName, double.NaN) };
-            bool unmeasured = double.IsNaN(errors[0].Value) || double.IsInfinity(errors[0].Value);
-            string reason = result.Failure ?? (unmeasured ? $"{errors[0].Name} could not be measured" : "");
+            string failure = result.Failure ?? Unmeasured(errors[0]);
             return errors.Select(error => new ChartRow
             {
                 Case = config.Case.Name,
@@ -122,8 +121,8 @@ namespace SphFluid.Validation
                 CpuMsPerSecond = result.CpuMsPerSecond,
                 Error = error.Value,
                 ErrorName = error.Name,
-                Failed = result.Failed || unmeasured,
-                Reason = reason,
+                Failed = failure != null,
+                Reason = failure ?? Unmeasured(error) ?? "",
                 Steps = result.Steps,
                 TimeStep = result.TimeStep,
                 GpuMsLow = result.GpuTimes.Low / result.TimeStep,
@@ -131,5 +130,8 @@ namespace SphFluid.Validation
                 TimeSpread = result.GpuTimes.Spread,
             }).ToArray();
         }
+
+        private static string Unmeasured(in CaseError error) =>
+            double.IsNaN(error.Value) || double.IsInfinity(error.Value) ? $"{error.Name} could not be measured" : null;
     }
 }

@@ -7,7 +7,7 @@ namespace SphFluid.Validation
     internal static class ChartStyle
     {
         // M. Okabe and K. Ito's colours, which colour-blind readers can distinguish.
-        private static readonly string[] colours = { "#D55E00", "#0072B2", "#CC79A7", "#009E73", "#E69F00", "#56B4E9" };
+        private static readonly string[] colours = { "#D55E00", "#0072B2", "#CC79A7", "#E69F00", "#009E73", "#56B4E9" };
 
         /// <summary>The factors in the order of the legend, with gnuplot's filled point types; the open one is the number before.</summary>
         public static readonly IReadOnlyList<(ChartFactor Factor, int Symbol, string Title)> Factors = new[]

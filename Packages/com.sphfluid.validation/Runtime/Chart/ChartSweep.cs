@@ -27,7 +27,7 @@ namespace SphFluid.Validation
             List<ChartConfig> coarser = Spacings(validationCase, start, coarse).ToList();
             // The spacings' curve comes first, with its seeds: without it nothing else can be placed.
             IEnumerable<ChartRun> curve = Seeded(basis.Concat(coarser), 1, 1).Concat(Seeded(coarser.Concat(basis), 2, Seeds));
-            if (IsReference(method)) return curve;
+            if (method.IsReference) return curve;
             var fitted = new List<ChartConfig>();
             if (IsOffered(method))
             {
@@ -62,12 +62,12 @@ namespace SphFluid.Validation
             {
                 coarser = Spacings(validationCase, start, coarse.Where(c => c < scale).Reverse().ToArray()).ToList();
                 first = (scale < 1.0 ? Spacings(validationCase, start, scale) : new[] { basis }).Concat(coarser)
-                    .Concat(IsReference(method) ? Enumerable.Empty<ChartConfig>() : Supports(validationCase, start, method, scale))
+                    .Concat(method.IsReference ? Enumerable.Empty<ChartConfig>() : Supports(validationCase, start, method, scale))
                     .ToList();
                 if (Seeded(first, 1, 1).Sum(r => r.Cost) <= share) break;
             }
             IEnumerable<ChartRun> runs = Seeded(first, 1, 1);
-            if (IsReference(method)) return runs;
+            if (method.IsReference) return runs;
             IEnumerable<ChartConfig> others = SoundSpeeds(validationCase, start, 0.5, wholeBase)
                 .Concat(At(validationCase, start, ChartFactor.TimeStep, 1.0,
                     (ref CaseParameters p) => p.TimeStepFraction = start.TimeStepFraction > 0.5 ? 0.5 : 0.75));
@@ -76,12 +76,11 @@ namespace SphFluid.Validation
         }
 
         /// <summary>Part of a chart's time that a method gets beside others'.</summary>
-        public static double Weight(CaseMethod method) => IsReference(method) ? 0.3 : IsOffered(method) ? 1.0 : 0.7;
+        public static double Weight(CaseMethod method) => method.IsReference ? 0.3 : IsOffered(method) ? 1.0 : 0.7;
 
         /// <summary>Whether users choose the method for their liquids: not the thesis's, which is there to be compared with.</summary>
-        public static bool IsOffered(CaseMethod method) => method.Kind != FluidMethodKind.Thesis && !IsReference(method);
+        public static bool IsOffered(CaseMethod method) => method.Kind != FluidMethodKind.Thesis && !method.IsReference;
 
-        private static bool IsReference(CaseMethod method) => method.Kind == FluidMethodKind.ThesisPrinted;
 
         private delegate void Change(ref CaseParameters parameters);
 

@@ -29,7 +29,8 @@ namespace SphFluid.Validation
                                                      select new Point
                                                      {
                                                          Run = run, Series = curve.Name, IsReference = curve.IsReference,
-                                                         X = curve.X[i], Y = curve.Y[i]
+                                                         X = curve.X[i], Y = curve.Y[i],
+                                                         Upper = curve.IsBand ? curve.Upper[i] : double.NaN
                                                      });
 
         /// <summary>Reads curves back; none where there is no file.</summary>
@@ -46,9 +47,13 @@ namespace SphFluid.Validation
             foreach (string line in File.Exists(file) ? File.ReadLines(file).Skip(1) : Enumerable.Empty<string>())
             {
                 format.Read(line, point);
-                CaseSeries curve = curves.Find(c => c.Name == point.Series && c.IsReference == point.IsReference);
+                bool band = !double.IsNaN(point.Upper);
+                CaseSeries curve = curves.Find(c => c.Name == point.Series && c.IsReference == point.IsReference && c.IsBand == band);
                 if (curve == null) curves.Add(curve = new CaseSeries(point.Series, point.IsReference));
-                curve.Add(point.X, point.Y);
+                if (band)
+                    curve.AddBand(point.X, point.Y, point.Upper);
+                else
+                    curve.Add(point.X, point.Y);
             }
             run = point.Run;
             return curves;
@@ -60,13 +65,15 @@ namespace SphFluid.Validation
             .Text("series", p => p.Series, (p, v) => p.Series = v)
             .Flag("reference", p => p.IsReference, (p, v) => p.IsReference = v)
             .Number("x", p => p.X, (p, v) => p.X = v)
-            .Number("y", p => p.Y, (p, v) => p.Y = v);
+            .Number("y", p => p.Y, (p, v) => p.Y = v)
+            .Later()
+            .Number("upper", p => p.Upper, (p, v) => p.Upper = v);
 
         private sealed class Point
         {
             public string Run = "", Series;
             public bool IsReference;
-            public double X, Y;
+            public double X, Y, Upper = double.NaN;
         }
     }
 }

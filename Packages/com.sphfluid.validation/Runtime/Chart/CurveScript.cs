@@ -17,7 +17,7 @@ namespace SphFluid.Validation
 
         private readonly ValidationCase validationCase;
         private readonly IReadOnlyList<CaseCurves.Run> runs;
-        private readonly IReadOnlyList<CaseSeries> references;
+        private readonly IReadOnlyList<CaseSeries> references, bands; // a band behind each reference, or null
 
         /// <summary>The picture of the curves that a folder has.</summary>
         /// <param name="validationCase">The case.</param>
@@ -27,6 +27,7 @@ namespace SphFluid.Validation
             this.validationCase = validationCase;
             var curves = new CaseCurves(validationCase, folder);
             references = curves.References;
+            bands = references.Select(curves.BandOf).ToList();
             runs = curves.Runs;
         }
 
@@ -39,7 +40,11 @@ namespace SphFluid.Validation
         private protected override IEnumerable<string> Body()
         {
             var lines = new List<string>();
-            for (int i = 0; i < references.Count; i++) lines.AddRange(Block(ReferenceName(i), Points(references[i])));
+            for (int i = 0; i < references.Count; i++)
+            {
+                lines.AddRange(Block(ReferenceName(i), Points(references[i])));
+                if (bands[i] != null) lines.AddRange(Block(BandName(i), Band(bands[i])));
+            }
             foreach (CaseCurves.Run run in runs)
             {
                 for (int i = 0; i < run.Curves.Count; i++) lines.AddRange(Block(CurveName(run.Method, i), Points(run.Curves[i])));
@@ -58,7 +63,8 @@ namespace SphFluid.Validation
 
         private IEnumerable<string> Single(List<string> axes)
         {
-            List<string> layers = Enumerable.Range(0, references.Count).Select(i => Reference(i, references[i].Name)).ToList();
+            List<string> layers = Enumerable.Range(0, references.Count).SelectMany(Experiments)
+                .Concat(Enumerable.Range(0, references.Count).Select(i => Reference(i, references[i].Name))).ToList();
             foreach (CaseCurves.Run run in runs)
             {
                 layers
@@ -89,8 +95,8 @@ namespace SphFluid.Validation
                     ? $"set key at screen 0.5, screen {Gnuplot.Number(1.0 - (26.0 + HeadingHeight) / height)} center horizontal maxrows 1"
                     : "unset key";
                 yield return $"set title {Gnuplot.Quote(references[i].Name)} font ',11'";
-                yield return Plot(
-                    new[] { Reference(i, "reference", 0) }.Concat(runs.Select(r => Curve(r.Method, i, 0, CaseMethod.All[r.Method].Title))));
+                yield return Plot(Experiments(i).Append(Reference(i, "reference", 0))
+                    .Concat(runs.Select(r => Curve(r.Method, i, 0, CaseMethod.All[r.Method].Title))));
             }
             yield return "unset multiplot";
         }
@@ -124,6 +130,15 @@ namespace SphFluid.Validation
             return $"{ReferenceName(index)} using 1:2 with {drawn} lc rgb 'black' title {Gnuplot.Quote(title)}";
         }
 
+        // One experiment is a band without width: its edges are drawn.
+        private IEnumerable<string> Experiments(int index)
+        {
+            if (bands[index] == null) yield break;
+            yield return $"{BandName(index)} using 1:2:3 with filledcurves fc rgb '#DADADA' notitle";
+            yield return $"{BandName(index)} using 1:2 with lines lw 1.5 lc rgb '#A8A8A8' title 'experiments'";
+            yield return $"{BandName(index)} using 1:3 with lines lw 1.5 lc rgb '#A8A8A8' notitle";
+        }
+
         private static string Curve(int method, int index, int style, string title) =>
             $"{CurveName(method, index)} using 1:2 with lines lw 2 dt {style + 1} lc {ChartStyle.Colour(method)} title " +
             $"{Gnuplot.Quote(title)}";
@@ -131,7 +146,8 @@ namespace SphFluid.Validation
         // A run that flies apart leaves the picture: the reference stays readable.
         private IEnumerable<string> Range()
         {
-            List<double> expected = references.SelectMany(r => r.Y).Where(IsFinite).ToList();
+            List<double> expected = references.SelectMany(r => r.Y).Concat(bands.Where(b => b != null).SelectMany(b => b.Upper))
+                .Where(IsFinite).ToList();
             if (expected.Count == 0) yield break;
             List<double> all = runs.SelectMany(r => r.Curves).SelectMany(c => c.Y).Where(IsFinite).Concat(expected).ToList();
             double span = expected.Max() - expected.Min();
@@ -144,6 +160,10 @@ namespace SphFluid.Validation
 
         private static IEnumerable<string> Points(CaseSeries curve) =>
             Enumerable.Range(0, curve.X.Count).Select(i => $"{Gnuplot.Number(curve.X[i])} {Gnuplot.Number(curve.Y[i])}");
+
+        private static IEnumerable<string> Band(CaseSeries band) => Points(band).Select((p, i) => $"{p} {Gnuplot.Number(band.Upper[i])}");
+
+        private static string BandName(int index) => $"$band{index}";
 
         private static string ReferenceName(int index) => $"$reference{index}";
 

@@ -38,12 +38,12 @@ namespace SphFluid.Validation
         /// <summary>
         /// The liquids of a chart: from few particles, where a step's own cost is all, to as many as the device does in a second or two.
         /// </summary>
-        /// <param name="methods">The methods; the text as printed has no use for them.</param>
+        /// <param name="methods">The methods; references have no use for them.</param>
         /// <param name="isQuick">Whether only κ of the bases, with fewer numbers, is timed.</param>
         /// <param name="isSoftware">Whether the device is a CPU.</param>
         public static IReadOnlyList<StepCostPoint> Of(IEnumerable<CaseMethod> methods, bool isQuick, bool isSoftware) =>
             (from method in methods
-             where method.Kind != FluidMethodKind.ThesisPrinted
+             where !method.IsReference
              from ratio in isQuick ? new[] { method.SupportRatio } : ChartSweep.IsOffered(method) ? new[] { 2.0, 2.25, 2.5 }
                  : new[] { 2.0, 2.5 }
              from count in isQuick ? quick : isSoftware ? software : card

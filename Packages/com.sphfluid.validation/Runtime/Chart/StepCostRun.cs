@@ -57,6 +57,7 @@ namespace SphFluid.Validation
         {
             FluidRuleInput rules = FluidRuleInput.Water;
             rules.Method = point.Method.Kind;
+            rules.GradientCorrection = point.Method.CorrectsGradient;
             rules.DomainSize = Vector3.one * BenchLiquid.Edge;
             rules.Spacing = spacing;
             rules.SupportRatio = (float)point.SupportRatio;

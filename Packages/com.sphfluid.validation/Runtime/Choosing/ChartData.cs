@@ -9,6 +9,7 @@ namespace SphFluid.Validation
     public sealed class ChartData
     {
         private readonly Dictionary<FluidMethodKind, StepCostModel> costs = new Dictionary<FluidMethodKind, StepCostModel>();
+        private readonly IReadOnlyList<StepCostRow> stepCosts;
 
         /// <summary>A chart.</summary>
         /// <param name="folder">Where it was read.</param>
@@ -18,6 +19,7 @@ namespace SphFluid.Validation
         {
             Folder = folder;
             Rows = rows;
+            this.stepCosts = stepCosts;
             foreach (CaseMethod method in CaseMethod.All)
             {
                 List<(int, double, double)> samples = stepCosts.Where(r => r.Method == method.Name && r.Milliseconds > 0.0)
@@ -38,6 +40,9 @@ namespace SphFluid.Validation
 
         /// <summary>Day of the last run.</summary>
         public string Date => Rows.Max(r => r.Date);
+
+        /// <summary>The same chart with more runs.</summary>
+        internal ChartData With(IEnumerable<ChartRow> more) => new ChartData(Folder, Rows.Concat(more).ToList(), stepCosts);
 
         /// <summary>The cost of a method's step; null where nothing was timed.</summary>
         public StepCostModel CostOf(CaseMethod method) => costs.TryGetValue(method.Kind, out StepCostModel cost) ? cost : null;

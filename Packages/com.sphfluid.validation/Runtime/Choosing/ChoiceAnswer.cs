@@ -12,15 +12,14 @@ namespace SphFluid.Validation
             Chart = chart;
             Options = options;
             bool asksError = !double.IsNaN(question.Error), asksTime = !double.IsNaN(question.Milliseconds);
-            IEnumerable<ChoiceOption> accurate = options.Where(o => !asksError || o.Error.Likely <= question.Error);
-            IEnumerable<ChoiceOption> fast = options.Where(o => !asksTime || o.Milliseconds.Likely <= question.Milliseconds);
+            List<ChoiceOption> accurate = options.Where(o => !asksError || o.Error.Likely <= question.Error).ToList();
+            List<ChoiceOption> fast = options.Where(o => !asksTime || o.Milliseconds.Likely <= question.Milliseconds).ToList();
             Fastest = asksError ? Cheapest(accurate) : null;
             MostAccurate = asksTime ? LeastWrong(fast) : null;
-            Best = asksError && (!asksTime || Fastest != null && Fastest.Milliseconds.Likely <= question.Milliseconds) ? Fastest
-                : asksError ? null : MostAccurate;
+            Best = asksError ? Cheapest(accurate.Intersect(fast).ToList()) : MostAccurate;
             PerMethod = options.GroupBy(o => o.Method).Select(own => asksError
-                ? Cheapest(own.Where(o => o.Error.Likely <= question.Error)) ?? LeastWrong(own)
-                : LeastWrong(own.Where(o => o.Milliseconds.Likely <= question.Milliseconds)) ?? Cheapest(own)).ToList();
+                ? Cheapest(own.Intersect(accurate).ToList()) ?? LeastWrong(own)
+                : LeastWrong(own.Intersect(fast)) ?? Quickest(own)).ToList();
         }
 
         /// <summary>What was asked.</summary>
@@ -33,7 +32,8 @@ namespace SphFluid.Validation
         public IReadOnlyList<ChoiceOption> Options { get; }
 
         /// <summary>
-        /// The answer: the fastest with the error asked for, or with a time alone the most accurate; null when there is none.
+        /// The answer: the fastest with the error asked for, one that holds what is also held if there is one; or with a time alone the
+        /// most accurate. Null when there is none.
         /// </summary>
         public ChoiceOption Best { get; }
 
@@ -52,9 +52,15 @@ namespace SphFluid.Validation
         public ChoiceOption Finest => LeastWrong(Options);
 
         /// <summary>The fastest of all, however wrong it is.</summary>
-        public ChoiceOption Quickest => Cheapest(Options);
+        public ChoiceOption QuickestOfAll => Quickest(Options);
 
-        private static ChoiceOption Cheapest(IEnumerable<ChoiceOption> options) =>
+        /// <summary>Whether an option errs by no more than was asked in what is also held; without an error asked for, always.</summary>
+        public bool Holds(ChoiceOption option) => double.IsNaN(Question.Error) || option.Holds(Question.Error);
+
+        // Of those that hold what is also held, if there are some.
+        private ChoiceOption Cheapest(IReadOnlyList<ChoiceOption> options) => Quickest(options.Where(Holds)) ?? Quickest(options);
+
+        private static ChoiceOption Quickest(IEnumerable<ChoiceOption> options) =>
             options.OrderBy(o => o.Milliseconds.Likely).FirstOrDefault();
 
         // Of equal errors, as below a reference's floor, the fastest.

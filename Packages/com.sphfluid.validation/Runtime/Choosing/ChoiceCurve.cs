@@ -71,6 +71,18 @@ namespace SphFluid.Validation
             return curves;
         }
 
+        /// <summary>
+        /// How far each of the case's <see cref="ValidationCase.AlsoHeld"/> is from what is right: the worse of the two measured spacings
+        /// beside a resolution. Not a number where one was not measured.
+        /// </summary>
+        public IReadOnlyList<double> BesideAt(int resolution)
+        {
+            List<ChoicePoint> whole = Points.Where(p => !p.Failed).ToList();
+            ChoicePoint coarser = whole.LastOrDefault(p => p.Resolution <= resolution) ?? whole[0];
+            ChoicePoint finer = whole.FirstOrDefault(p => p.Resolution >= resolution) ?? coarser;
+            return coarser.Beside.Zip(finer.Beside, Math.Max).ToList();
+        }
+
         /// <summary>Takes over what the case's curves show together.</summary>
         public void Learn(in CurveSpread error, in CurveSpread time)
         {

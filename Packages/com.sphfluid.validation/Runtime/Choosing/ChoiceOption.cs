@@ -1,5 +1,7 @@
 using System;
+using System.Collections.Generic;
 using System.Globalization;
+using System.Linq;
 
 namespace SphFluid.Validation
 {
@@ -16,6 +18,7 @@ namespace SphFluid.Validation
             Error = curve.Error.At(resolution);
             Milliseconds = curve.StepTime(Particles).Times(StepsPerFrame);
             IsBeyondMeasured = curve.IsBeyondMeasured(Particles);
+            Beside = curve.BesideAt(resolution);
         }
 
         internal ChoiceCurve Curve { get; }
@@ -52,6 +55,15 @@ namespace SphFluid.Validation
 
         /// <summary>Whether the device was timed with less than half as many particles: the cost is an extrapolation.</summary>
         public bool IsBeyondMeasured { get; }
+
+        /// <summary>
+        /// How far each of the case's <see cref="ValidationCase.AlsoHeld"/> is from what is right, in their order; not a number where
+        /// one was not measured.
+        /// </summary>
+        public IReadOnlyList<double> Beside { get; }
+
+        /// <summary>Whether what is also held errs by no more than this.</summary>
+        internal bool Holds(double error) => Beside.All(off => off <= error);
 
         /// <summary>The constants, for instance "standard, κ 2.25, dx 0.05 m, compression 4 %".</summary>
         public override string ToString() => string.Format(CultureInfo.InvariantCulture, "{0}, κ {1:G4}, dx {2:G3} m, compression {3:G2} %",

@@ -7,8 +7,10 @@ namespace SphFluid.Validation
     /// <summary>What a chart measured at one point of a case: the errors and times of its seeds.</summary>
     internal sealed class ChoicePoint
     {
-        private ChoicePoint(ChartRow first, int resolution, double timeStep, IReadOnlyList<ChartRow> runs)
+        private ChoicePoint(ChartRow first, int resolution, double timeStep, IReadOnlyList<ChartRow> runs, IReadOnlyList<double> beside)
         {
+            Beside = beside;
+            Seeds = runs.Select(r => r.Seed).ToList();
             First = first;
             Resolution = resolution;
             TimeStep = timeStep;
@@ -35,6 +37,15 @@ namespace SphFluid.Validation
         /// <summary>GPU time of a step of each seed [ms].</summary>
         public IReadOnlyList<double> StepMilliseconds { get; }
 
+        /// <summary>Its seeds.</summary>
+        public IReadOnlyList<int> Seeds { get; }
+
+        /// <summary>
+        /// How far each of the case's <see cref="ValidationCase.AlsoHeld"/> is from what is right, in the worst seed; not a number where
+        /// one was not measured.
+        /// </summary>
+        public IReadOnlyList<double> Beside { get; }
+
         /// <summary>The case with these constants.</summary>
         public ChartConfig ConfigOf(ValidationCase validationCase) => ConfigOf(validationCase, First, Resolution);
 
@@ -54,10 +65,15 @@ namespace SphFluid.Validation
                 if (runs.Count == 0) continue;
                 int resolution = (int)Math.Round(length / runs[0].Spacing);
                 double timeStep = double.IsNaN(runs[0].TimeStep) ? TimeStepOf(validationCase, runs[0], resolution) : runs[0].TimeStep;
-                points.Add(new ChoicePoint(runs[0], resolution, timeStep, runs));
+                points.Add(new ChoicePoint(runs[0], resolution, timeStep, runs,
+                    validationCase.AlsoHeld.Select(held => Farthest(group, held.Name, held.Right)).ToList()));
             }
             return points;
         }
+
+        private static double Farthest(IEnumerable<ChartRow> rows, string error, double right) =>
+            rows.Where(r => r.ErrorName == error && !r.Failed).Select(r => Math.Abs(r.Error - right)).DefaultIfEmpty(double.NaN)
+                .Aggregate((a, b) => a >= b ? a : b);
 
         // What the resolution divides [m].
         private static double LengthOf(ValidationCase validationCase)

@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using System.Linq;
 
 namespace SphFluid.Validation
 {
@@ -27,6 +28,9 @@ namespace SphFluid.Validation
             .Number("ms_per_frame", r => r.option.Milliseconds.Value)
             .Number("ms_low", r => r.option.Milliseconds.Low)
             .Number("ms_high", r => r.option.Milliseconds.High)
+            .Text("beside", r => string.Join("; ", r.answer.Question.Case.AlsoHeld.Zip(r.option.Beside,
+                (held, off) => $"{held.Name}: {CsvText.Text(off)}")))
+            .Flag("holds_beside", r => r.answer.Holds(r.option))
             .Flag("beyond_measured", r => r.option.IsBeyondMeasured)
             .Text("device", r => r.answer.Chart.Device)
             .Text("chart_date", r => r.answer.Chart.Date);

@@ -25,14 +25,15 @@ namespace SphFluid.Validation
         private protected override IEnumerable<string> Body()
         {
             IEnumerable<string> data = methods.SelectMany((m, i) => Block($"$curves{i}", Curves(m))
-                .Concat(Block($"$measured{i}", m.Where(IsMeasured).Select(Measured))));
+                .Concat(Block($"$measured{i}", m.Where(IsMeasured).Where(answer.Holds).Select(Measured)))
+                .Concat(Block($"$beyond{i}", m.Where(IsMeasured).Where(o => !answer.Holds(o)).Select(Measured))));
             if (Marked.Any()) data = data.Concat(Block("$answer", Marked.Select(Bars)));
             return data.Concat(InSvgAndPng("900,620", 14, 11, Drawing()));
         }
 
         private IEnumerable<ChoiceOption> Marked => answer.Best != null ? new[] { answer.Best }
             : new[] { double.IsNaN(answer.Question.Error) ? null : answer.Fastest ?? answer.Finest,
-                double.IsNaN(answer.Question.Milliseconds) ? null : answer.MostAccurate ?? answer.Quickest }
+                double.IsNaN(answer.Question.Milliseconds) ? null : answer.MostAccurate ?? answer.QuickestOfAll }
                 .Where(o => o != null).Distinct();
 
         private IEnumerable<string> Drawing()
@@ -70,10 +71,10 @@ namespace SphFluid.Validation
                 CaseMethod method = CaseMethod.Find(methods[i].Key);
                 string colour = ChartStyle.Colour(CaseMethod.All.ToList().IndexOf(method));
                 layers.Add($"$curves{i} using 1:2 with lines lw 1.5 lc {colour} title {Gnuplot.Quote(method.Title + ", expected")}");
-                layers
-                    .Add(
-                        $"$measured{i} using 1:2 with points pt 7 ps 0.9 lc {colour} title " +
-                        $"{Gnuplot.Quote(method.Title + ", measured spacings")}");
+                bool[] held = methods[i].Where(IsMeasured).Select(answer.Holds).ToArray();
+                string within = method.Title + ", measured spacings", beyond = method.Title + ", beyond in another error";
+                if (held.Contains(true)) layers.Add(Marks($"$measured{i}", "pt 7", colour, within));
+                if (held.Contains(false)) layers.Add(Marks($"$beyond{i}", "pt 6 lw 1.5", colour, beyond));
             }
             if (Marked.Any())
             {
@@ -83,6 +84,9 @@ namespace SphFluid.Validation
             }
             yield return Plot(layers);
         }
+
+        private static string Marks(string data, string look, string colour, string title) =>
+            $"{data} using 1:2 with points {look} ps 0.9 lc {colour} title {Gnuplot.Quote(title)}";
 
         // A line for each κ and speed of sound, with a gap between.
         private static IEnumerable<string> Curves(IEnumerable<ChoiceOption> options)

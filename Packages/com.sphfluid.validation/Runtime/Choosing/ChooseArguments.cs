@@ -30,6 +30,8 @@ namespace SphFluid.Validation
             Options.Add("--chart", "DIR", "the chart that answers", "this device's newest", flag => Chart = flag.Value());
             Options.Add("--verify", "N", "asks N questions, runs the answers and compares", null,
                 flag => Verifications = flag.Integer(1, MostQuestions));
+            Options.Add("--narrow", "runs what narrows the answer's intervals where one is more than a factor of 4 wide, and asks again",
+                flag => Narrows = flag.On());
             AddFolder();
         }
 
@@ -41,6 +43,9 @@ namespace SphFluid.Validation
 
         /// <summary>Questions to ask and run; 0 for none.</summary>
         public int Verifications { get; private set; }
+
+        /// <summary>Whether runs that narrow the answer's intervals are done.</summary>
+        public bool Narrows { get; private set; }
 
         /// <summary>Reads the command line of the process.</summary>
         /// <exception cref="CommandLineException">A flag is unknown, or a value is missing or wrong.</exception>

@@ -9,11 +9,15 @@ namespace SphFluid.Validation
     /// <summary>Answers a question from a chart, or asks some and runs the answers; draws and writes what comes out.</summary>
     public sealed class ChooseSession : MeasuringSession
     {
+        // An answer may change with what narrows the last one.
+        private const int MostRounds = 6;
+
         private readonly ChooseArguments arguments;
         private readonly ChartData chart;
         private readonly Chooser chooser;
         private readonly FluidShaderSet shaders;
-        private readonly ChoiceAnswer answer; // null where some are verified
+        private readonly ResultTable<ChartRow> runs; // null where none narrow
+        private ChoiceAnswer answer; // null where some are verified
 
         /// <summary>Reads and fits the chart.</summary>
         /// <param name="arguments">The question.</param>
@@ -34,14 +38,18 @@ namespace SphFluid.Validation
             string device = SystemInfo.graphicsDeviceName;
             chart = arguments.Chart != null ? ChartData.Read(arguments.Chart)
                 : ChartData.Newest(Path.GetDirectoryName(Application.dataPath), device, arguments.Question.Case?.Name);
-            if (verifies && chart.Device != device)
+            if ((verifies || arguments.Narrows) && chart.Device != device)
             {
                 throw new CommandLineException(
-                    $"--verify: the chart in '{chart.Folder}' is of '{chart.Device}', and this is '{device}', whose times it cannot tell.");
+                    $"--{(verifies ? "verify" : "narrow")}: the chart in '{chart.Folder}' is of '{chart.Device}', and this is " +
+                    $"'{device}', whose times it cannot tell.");
             }
             chooser = new Chooser(chart);
-            answer = verifies ? null : chooser.Answer(arguments.Question);
-            Claim(verifies ? new[] { VerificationRow.Format.File } : ChoiceScript.Files().Prepend(ChoiceRow.Format.File));
+            bool narrows = arguments.Narrows && !verifies;
+            if (narrows) runs = ResultTable<ChartRow>.Resume(ChartRow.Format, Folder, device, () => new ChartRow());
+            answer = verifies ? null : Answer();
+            IEnumerable<ResultFile> files = ChoiceScript.Files().Prepend(ChoiceRow.Format.File);
+            Claim(verifies ? new[] { VerificationRow.Format.File } : runs != null ? files.Append(ChartRow.Format.File) : files);
         }
 
         /// <inheritdoc/>
@@ -57,12 +65,35 @@ namespace SphFluid.Validation
         private protected override string Unfinished => arguments.Verifications > 0 ? $"'{Folder}' holds every finished run."
             : "Nothing was written.";
 
+        private ChoiceAnswer Answer() => runs == null || runs.Rows.Count == 0 ? chooser.Answer(arguments.Question)
+            : new Chooser(chart.With(runs.Rows)).Answer(arguments.Question);
+
+        private IEnumerator Measure(IReadOnlyList<ChartRun> missing)
+        {
+            var runner = new ChartRunner(shaders);
+            foreach (ChartRun run in missing)
+            {
+                CaseResult result = null;
+                yield return runner.Run(run, r => result = r);
+                ChartRow[] rows = ChartRow.Of(run, result);
+                runs.Add(rows);
+                Progress.Say($"  {run}: {(rows[0].Failed ? rows[0].Reason : $"{rows[0].ErrorName} {CsvText.Text(rows[0].Error)}")}");
+            }
+        }
+
         private protected override IEnumerator Run()
         {
             if (arguments.Verifications > 0)
             {
                 yield return new ChoiceVerification(chart, chooser, shaders, arguments, Progress).Run();
                 yield break;
+            }
+            for (int round = 0; runs != null && round < MostRounds; round++)
+            {
+                List<ChartRun> missing = ChoiceText.Shown(answer).SelectMany(o => ChoiceNarrowing.Runs(o, answer.Question.Case)).ToList();
+                if (missing.Count == 0) break;
+                yield return Measure(missing);
+                answer = Answer();
             }
             foreach (string line in ChoiceText.Lines(answer)) Progress.Say(line);
             ChoiceRow.Format.Write(Folder, ChoiceRow.Of(answer));

@@ -39,8 +39,9 @@ namespace SphFluid.Validation
             if (question.Error < question.Case.Floor)
             {
                 throw new CommandLineException(string.Format(CultureInfo.InvariantCulture,
-                    "--error: the reference of {0} itself is good for {1:0.##} %, and nothing below " +
-                    "can be told apart. Ask for as much or more.", question.Case.Name, 100.0 * question.Case.Floor));
+                    "--error: the reference of {0} itself is good for {1:0.##} % ({2}), and nothing below " +
+                    "can be told apart. Ask for as much or more.", question.Case.Name, 100.0 * question.Case.Floor,
+                    question.Case.FloorSource));
             }
             ErrorModel model = models.FirstOrDefault(m => m.Case == question.Case) ?? throw new CommandLineException(
                 $"The chart in '{chart.Folder}' has no whole run of {question.Case.Name}. Measure it: ./run chart --case " +

@@ -20,7 +20,7 @@ namespace SphFluid.Validation
 
         internal PlayArguments()
         {
-            string[] methods = CaseMethod.All.Select(m => m.Name).Append(AutomaticName).ToArray();
+            string[] methods = CaseMethod.All.Where(m => CaseMethod.Of(m.Kind) == m).Select(m => m.Name).Append(AutomaticName).ToArray();
             Options.Add("--method", "NAME", "solver of every liquid (automatic: the one that fits the frame budget)", "as in the scene",
                 methods, flag => Method = KindOf(flag.OneOf(methods)));
             Options.Add("--liquid", "NAME", "what every liquid is", "as in the scene", PackageLiquids.Names,

@@ -50,8 +50,7 @@ namespace SphFluid.Validation
                     break;
                 }
             }
-            result.Series = metric.Series();
-            if (!result.Failed) result.Errors = metric.Evaluate();
+            result.Take(metric);
             return result;
         }
     }

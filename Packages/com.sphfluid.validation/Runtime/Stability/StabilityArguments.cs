@@ -13,7 +13,7 @@ namespace SphFluid.Validation
         {
             AddQuick("fewer points: a quarter of an hour on two CPU cores");
             AddChoice("--map", "these maps", "all, and the borders", maps, StabilityMap.All, m => m.Name);
-            AddChoice("--method", "these methods", "all; not thesis-printed with --quick", methods, CaseMethod.All, m => m.Name);
+            AddChoice("--method", "these methods", "all; not thesis-printed and standard-uncorrected with --quick", methods, CaseMethod.All, m => m.Name);
             AddFolder();
             AddSlice("none");
             AddShard();
@@ -22,7 +22,7 @@ namespace SphFluid.Validation
         /// <summary>The maps.</summary>
         public IReadOnlyList<StabilityMap> Maps => maps;
 
-        /// <summary>The methods; the short plan has the printed one on request.</summary>
+        /// <summary>The methods; the short plan has those for reference on request.</summary>
         public IReadOnlyList<CaseMethod> Methods => methods;
 
         /// <summary>Whether the borders are bisected: in every session that draws all maps.</summary>
@@ -32,7 +32,7 @@ namespace SphFluid.Validation
             ("--map", Limits ? null : Maps.Select(m => m.Name)),
             ("--method", Methods.SequenceEqual(DefaultMethods) ? null : Methods.Select(m => m.Name)));
 
-        private IEnumerable<CaseMethod> DefaultMethods => CaseMethod.All.Where(m => !Quick || m.Kind != FluidMethodKind.ThesisPrinted);
+        private IEnumerable<CaseMethod> DefaultMethods => CaseMethod.All.Where(m => !Quick || !m.IsReference);
 
         /// <summary>Reads the command line of the process.</summary>
         /// <exception cref="CommandLineException">A flag is unknown, or a value is missing or wrong.</exception>

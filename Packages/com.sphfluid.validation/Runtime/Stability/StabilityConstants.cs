@@ -45,6 +45,7 @@ namespace SphFluid.Validation
             bool isThesis = theory == StabilityTheory.Thesis;
             FluidRuleInput input = FluidRuleInput.Water;
             input.Method = isThesis ? FluidMethodKind.Thesis : Method.Kind;
+            input.GradientCorrection = Method.CorrectsGradient;
             input.DomainSize = DomainSize;
             input.Spacing = (float)Spacing;
             input.Gravity = Gravity;

@@ -76,7 +76,7 @@ namespace SphFluid
         [SerializeField,
             Tooltip("Corrects the gradient of the pressure where particles are arranged unevenly, and evens out the noise of the " +
             "density: waves last longer and keep their speed, for about a fifth more time a step. Standard method only.")]
-        private bool gradientCorrection;
+        private bool gradientCorrection = true;
 
         [SerializeField, Range(0f, 0.05f), Tooltip("Least kinematic viscosity that keeps the liquid calm, as a multiple of " +
             "speed of sound times support radius. The Standard method takes a tenth of it.")]

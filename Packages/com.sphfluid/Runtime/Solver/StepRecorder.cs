@@ -1,3 +1,4 @@
+using System;
 using Unity.Collections;
 using UnityEngine;
 using UnityEngine.Rendering;
@@ -110,7 +111,7 @@ namespace SphFluid
             if (state.WallsChange()) neighboursFresh = false; // what drawing was given has the walls at rest
             var blocks = new StepBlocks(steps, stepper.StepsPerSetup(steps, timeStep, flowSpeed));
             stepper.PlanSteps(blocks.LongestBlock, timeStep, peakSpeed, Mathf.Max(timeStep, longestStep));
-            state.WallForces?.Begin(state, steps);
+            state.WallForces?.Begin(state, steps, obstacles?.Found ?? Array.Empty<FluidObstacle>());
             for (int i = 0; i < steps; i++)
             {
                 state.BeginBodyStep(i, steps, timeStep);

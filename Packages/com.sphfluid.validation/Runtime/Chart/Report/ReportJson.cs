@@ -62,11 +62,16 @@ namespace SphFluid.Validation
         private static JsonObject Curves(ReportCase reported) => new JsonObject()
             .Add("x", reported.Case.AxisTitles.X)
             .Add("y", reported.Case.AxisTitles.Y)
-            .Add("references", reported.Curves.References.Select(Curve))
+            .Add("references", reported.Curves.References.Select(r => Reference(r, reported.Curves.BandOf(r))))
             .Add("runs", reported.Curves.Runs.Select(r => new JsonObject()
                 .Add("method", r.Method)
                 .Add("constants", r.Constants)
                 .Add("curves", r.Curves.Select(Curve))));
+
+        private static JsonObject Reference(CaseSeries curve, CaseSeries band) => Curve(curve)
+            .Add("bandX", (band?.X ?? Enumerable.Empty<double>()).Select(Rounded))
+            .Add("low", (band?.Y ?? Enumerable.Empty<double>()).Select(Rounded))
+            .Add("high", (band?.Upper ?? Enumerable.Empty<double>()).Select(Rounded));
 
         private static JsonObject Curve(CaseSeries curve) => new JsonObject()
             .Add("name", curve.Name)

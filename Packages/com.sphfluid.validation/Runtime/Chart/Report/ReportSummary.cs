@@ -28,7 +28,8 @@ namespace SphFluid.Validation
             double floor = reported.Case.Floor;
             if (floor > 0.0)
             {
-                yield return $"The reference itself is good for {ReportWords.Error(floor, fraction)}: methods below that are equal.";
+                yield return $"The reference itself is good for {ReportWords.Error(floor, fraction)} ({reported.Case.FloorSource}): " +
+                    "methods below that are equal.";
             }
         }
 

@@ -40,6 +40,10 @@ namespace SphFluid.Tests
         public void ADropThatDoesNotSwingHasNoPeriod() => Assert.That(Watched(0.0, 1.0, 1.0).Evaluate()[0].Value, Is.NaN);
 
         [Test]
+        public void ASwingFarFromLambsFails() => Assert.That(() => Watched(0.02, 2.7, 1.0).Evaluate(),
+            Throws.TypeOf<SearchBoundException>().With.Message.StartsWith(new CapillaryDropCase().Name + ": the frequency"));
+
+        [Test]
         public void WhereTheDropFliesDoesNotMatter()
         {
             CapillaryDropMetric metric = Watched(0.02, 1.0, 1.0, 0.05f);

@@ -36,10 +36,21 @@ namespace SphFluid.Tests
             Assert.That(WallCaseStates.Named(metric, "height, largest error"), Is.EqualTo(0.03).Within(3e-4));
         }
 
+        [TestCase(0.5)]
+        [TestCase(-0.6)]
+        public void AFrontThatIsFartherAheadOrBehindThanIsSoughtFails(double ahead)
+        {
+            DamBreakMetric metric = Watched(t => Front(t + ahead), Height, null);
+
+            Assert.That(() => metric.Evaluate(),
+                Throws.TypeOf<SearchBoundException>().With.Message.StartsWith(new DamBreakCase().Name + ": the front's shift"));
+            Assert.That(metric.Series(), Has.Count.EqualTo(4), "without the shifted front");
+        }
+
         [Test]
         public void TheSlopeDoesNotDependOnTheShift()
         {
-            DamBreakMetric metric = Watched(t => 1.0 + 1.2 * t, Height, null);
+            DamBreakMetric metric = Watched(t => 0.3 + 1.2 * t, Height, null);
 
             double sumX = 0, sumY = 0, sumXx = 0, sumXy = 0;
             for (int i = 3; i < 15; i++)

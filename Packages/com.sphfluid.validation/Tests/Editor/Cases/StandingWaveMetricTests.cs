@@ -65,6 +65,12 @@ namespace SphFluid.Tests
             Assert.That(metric.Evaluate()[0].Value, Is.NaN);
         }
 
+        [TestCase(2.6, 1.0)]
+        [TestCase(1.0, 30.0)]
+        public void ASwingFarFromTheExpectedOneFails(double frequencyRatio, double viscosityRatio) =>
+            Assert.That(() => Watched(frequencyRatio * Frequency, viscosityRatio * Viscosity).Evaluate(),
+                Throws.TypeOf<SearchBoundException>().With.Message.StartsWith(new StandingWaveCase().Name + ": the "));
+
         private static StandingWaveMetric Watched(double frequency, double viscosity)
         {
             var metric = new StandingWaveMetric(Floor, Depth, WaveNumber, Frequency, Viscosity, Amplitude, Begin);

@@ -122,6 +122,7 @@ namespace SphFluid.Tests
             Assert.That((curves.x, curves.y, curves.runs.Single().method, curves.runs[0].constants),
                 Is.EqualTo(("t [s]", "h/H", 1, "dx 0.1 m")));
             Assert.That(curves.references.Single().name, Is.EqualTo("rest"));
+            Assert.That(curves.references[0].bandX, Is.Empty);
             Assert.That(curves.runs[0].curves.Single().y, Has.Length.EqualTo(50));
             Assert.That(curves.runs[0].curves[0].y[1], Is.EqualTo(0.998));
         }
@@ -285,7 +286,7 @@ namespace SphFluid.Tests
         private sealed class Curve
         {
             public string name;
-            public double[] x, y;
+            public double[] x, y, bandX;
         }
 #pragma warning restore 0649
     }

@@ -143,10 +143,26 @@ namespace SphFluid.Tests
         }
 
         [Test]
+        public void ABandIsReadBackAndDrawnBehindItsReference()
+        {
+            CurveFile.Write(folder, "one", "thesis", "dx 0.1 m", WithBand());
+            var curves = new CaseCurves(new FlatCase("one"), folder);
+            string script = string.Join("\n", new CurveScript(new FlatCase("one"), folder).Lines());
+
+            CaseSeries band = curves.BandOf(curves.References.Single());
+            Assert.That(band.X, Is.EqualTo(new[] { 0.1, 0.5 }));
+            Assert.That(band.Y, Is.EqualTo(new[] { 0.9, 0.8 }));
+            Assert.That(band.Upper, Is.EqualTo(new[] { 1.1, 3.0 }));
+            Assert.That(script, Does.Contain("0.5 0.8 3").And.Contain("with filledcurves"));
+            Assert.That(script.IndexOf("$band0 using"), Is.LessThan(script.IndexOf("$reference0 using")), "behind");
+            Assert.That(script, Does.Match("set yrange .*:3"), "all of it is seen");
+        }
+
+        [Test]
         public void GnuplotDrawsTheScripts()
         {
             if (Gnuplot.Draw(Write("empty.gp", "")) != null) Assert.Ignore("gnuplot is not installed.");
-            CurveFile.Write(folder, "one", "thesis", "dx 0.1 m", FlatCase.Result(1.0, 0.1).Series);
+            CurveFile.Write(folder, "one", "thesis", "dx 0.1 m", WithBand());
             ValidationCase[] cases = { new FlatCase("one") { Companion = "drift", Warning = "A caution." }, new FlatCase("two") };
 
             Assert.That(Gnuplot.Draw(Write("accuracy.gp", Script(cases))), Is.Null);
@@ -158,6 +174,14 @@ namespace SphFluid.Tests
                     Is.EqualTo(new byte[] { 0x89, (byte)'P', (byte)'N', (byte)'G' }), file);
             }
             Assert.That(File.ReadAllText(Path.Combine(folder, "accuracy.svg")), Does.Contain("</svg>").And.Contain("reference floor"));
+        }
+
+        private static List<CaseSeries> WithBand()
+        {
+            var band = new CaseSeries("rest", true);
+            band.AddBand(0.1, 0.9, 1.1);
+            band.AddBand(0.5, 0.8, 3.0);
+            return FlatCase.Result(1.0, 0.1).Series.Append(band).ToList();
         }
 
         [Test]

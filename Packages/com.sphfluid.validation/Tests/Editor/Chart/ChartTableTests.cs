@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using NUnit.Framework;
@@ -52,6 +53,16 @@ namespace SphFluid.Tests
 
             Assert.That(row.Failed, Is.True);
             Assert.That(row.Reason, Does.Contain("height could not be measured"));
+        }
+
+        [Test]
+        public void ASecondErrorThatCouldNotBeMeasuredIsSaidInItsRow()
+        {
+            CaseResult result = FlatCase.Result(10.0, 0.1);
+            result.Errors = new[] { result.Errors[0], new CaseError("drift", double.NaN) };
+            IReadOnlyList<ChartRow> rows = Written(result).Rows;
+
+            Assert.That(rows.Select(r => (r.Failed, r.Reason)), Is.EqualTo(new[] { (false, ""), (false, "drift could not be measured") }));
         }
 
         [Test]

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
 using NUnit.Framework;
 using SphFluid.Validation;
@@ -84,6 +85,102 @@ namespace SphFluid.Tests
                 Assert.That(error, Is.LessThanOrEqualTo(last), $"{time} ms");
                 last = error;
             }
+        }
+
+        [Test]
+        public void AnAnswerHoldsWhatIsAlsoHeldThoughAnotherIsFaster()
+        {
+            // Standard drifts by twice its error, the thesis by half of it.
+            chart = new MadeUpChart { DriftOver = method => method == "standard" ? 2.0 : 0.5 };
+            foreach (string method in new[] { "standard", "thesis" }) chart.Sweep(method, 2.5, 5.0, 6, 8, 12, 18);
+            chooser = new Chooser(chart.Data(), new[] { chart.Case });
+            ChoiceOption fastest = Ask(0.3, double.NaN).Best;
+            chart.Case.Held = new[] { ("drift", 0.0) };
+            chooser = new Chooser(chart.Data(), new[] { chart.Case });
+            ChoiceAnswer answer = Ask(0.3, double.NaN);
+
+            Assert.That(fastest.Method, Is.EqualTo("standard"));
+            Assert.That(answer.Holds(answer.Best), Is.True);
+            Assert.That(answer.Best.Beside.Single(), Is.LessThanOrEqualTo(0.3));
+            Assert.That(answer.Best.Milliseconds.Likely, Is.GreaterThan(fastest.Milliseconds.Likely));
+            Assert.That(string.Join("\n", ChoiceText.Lines(answer)), Does.Contain("Beside it").And.Contain("drift off by"));
+            Assert.That(string.Join("\n", new ChoiceScript(answer).Lines()), Does.Contain("beyond in another error"));
+        }
+
+        [Test]
+        public void WhatNothingHoldsIsNamed()
+        {
+            chart = new MadeUpChart { DriftOver = _ => 50.0 };
+            chart.Case.Held = new[] { ("drift", 0.0), ("swirl", 1.0) };
+            chart.Sweep("standard", 2.5, 5.0, 6, 8, 12, 18);
+            chooser = new Chooser(chart.Data(), new[] { chart.Case });
+            ChoiceAnswer answer = Ask(0.3, double.NaN);
+
+            Assert.That(answer.Best, Is.Not.Null, "the main error is kept");
+            Assert.That(string.Join("\n", ChoiceText.Lines(answer)), Does.Contain("Nothing that was measured holds all of it").And
+                .Contain("swirl not measured"));
+            string line = ChoiceRow.Format.Line(ChoiceRow.Of(answer).First());
+            Assert.That(CsvText.Split(line)[ChoiceRow.Format.Names.ToList().IndexOf("holds_beside")], Is.EqualTo("0"));
+            Assert.That(line, Does.Contain("drift: ").And.Contain("swirl: "));
+        }
+
+        // At 10, between 8 and 12, the worse of the two; at 12 its own, in its worst seed.
+        [Test]
+        public void WhatIsAlsoHeldIsThatOfTheWorseSpacingBesideIt()
+        {
+            chart.Case.Held = new[] { ("drift", 0.0) };
+            chooser = new Chooser(chart.Data(), new[] { chart.Case });
+            ChoiceAnswer answer = Ask(0.5, double.NaN);
+            double Drift(int resolution) => answer.Options.Single(o => o.Method == "standard" && o.SupportRatio == 2.5 &&
+                o.Resolution == resolution).Beside.Single();
+            double Worst(int resolution) => 0.1 * 1.02 * MadeUpChart.ErrorOf("standard", 2.5, resolution);
+
+            Assert.That(Drift(10), Is.EqualTo(Worst(8)).Within(1e-6));
+            Assert.That(Drift(12), Is.EqualTo(Worst(12)).Within(1e-6));
+        }
+
+        [Test]
+        public void AWideIntervalNamesTheRunsThatNarrowIt()
+        {
+            chart = new MadeUpChart();
+            double[] zigzag = { 1.0, 0.1, 1.0 };
+            int[] resolutions = { 6, 10, 16 };
+            for (int i = 0; i < resolutions.Length; i++)
+            {
+                for (int seed = 1; seed <= 3; seed++) chart.Add("standard", 2.5, 5.0, resolutions[i], seed, null, zigzag[i]);
+            }
+            chooser = new Chooser(chart.Data(), new[] { chart.Case });
+            ChoiceOption option = Ask(0.5, double.NaN).Options.Single(o => o.Resolution == 13);
+            IReadOnlyList<ChartRun> runs = ChoiceNarrowing.Runs(option, chart.Case);
+
+            Assert.That(ChoiceNarrowing.Width(option, chart.Case), Is.GreaterThan(ChoiceNarrowing.Widest));
+            Assert.That(runs.Select(r => r.Seed), Is.EqualTo(new[] { 1, 2, 3 }));
+            Assert.That(runs[0].Config.Parameters(1).Resolution, Is.EqualTo(13));
+            foreach (ChartRun run in runs) chart.Add("standard", 2.5, 5.0, 13, run.Seed);
+            chooser = new Chooser(chart.Data(), new[] { chart.Case });
+            ChoiceOption after = Ask(0.5, double.NaN).Options.Single(o => o.Resolution == 13);
+            Assert.That(ChoiceNarrowing.Width(after, chart.Case), Is.LessThan(ChoiceNarrowing.Width(option, chart.Case)));
+        }
+
+        [Test]
+        public void ANarrowIntervalNeedsNoRun()
+        {
+            ChoiceOption best = Ask(0.2, double.NaN).Best;
+
+            Assert.That(ChoiceNarrowing.IsWide(best, chart.Case), Is.False);
+            Assert.That(ChoiceNarrowing.Runs(best, chart.Case), Is.Empty);
+            Assert.That(string.Join("\n", ChoiceText.Lines(Ask(0.2, double.NaN))), Does.Not.Contain("--narrow"));
+        }
+
+        [Test]
+        public void AnErrorAtTheFloorIsSaidToBeTheReferences()
+        {
+            chart.Sweep("standard", 2.5, 5.0, 24);
+            chooser = new Chooser(chart.Data(), new[] { chart.Case });
+
+            Assert.That(string.Join("\n", ChoiceText.Lines(Ask(0.04, double.NaN))),
+                Does.Contain("4 % is not the liquid's error but what the reference is good for: two made-up rests lie so far apart."));
+            Assert.That(string.Join("\n", ChoiceText.Lines(Ask(0.3, double.NaN))), Does.Not.Contain("not the liquid's error"));
         }
 
         [Test]
@@ -195,7 +292,8 @@ namespace SphFluid.Tests
         {
             Assert.That(() => Ask(double.NaN, double.NaN),
                 Throws.TypeOf<CommandLineException>().With.Message.Contains("--error").And.Message.Contains("--ms"));
-            Assert.That(() => Ask(0.03, double.NaN), Throws.TypeOf<CommandLineException>().With.Message.Contains("good for 4 %"));
+            Assert.That(() => Ask(0.03, double.NaN),
+                Throws.TypeOf<CommandLineException>().With.Message.Contains("good for 4 % (two made-up rests"));
             Assert.That(() => chooser.Answer(new ChoiceQuestion { Case = new FlatCase("another"), Error = 0.1 }),
                 Throws.TypeOf<CommandLineException>().With.Message.Contains("./run chart --case another"));
         }

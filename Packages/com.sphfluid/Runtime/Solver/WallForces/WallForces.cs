@@ -29,7 +29,10 @@ namespace SphFluid
         private static readonly int PatchesId = Shader.PropertyToID("_WallPatches");
         private static readonly int SumsId = Shader.PropertyToID("_WallSums");
         private static readonly int UnitsId = Shader.PropertyToID("_PatchUnits");
-        private static readonly int SpacingId = Shader.PropertyToID("_PatchSpacing");
+        private static readonly int ReachId = Shader.PropertyToID("_PatchReach");
+
+        // Spacings about a foot: less and the first rows in an edge differ, the first layer being denser; more and they see too far.
+        private const float SpreadReach = 0.94f;
 
         private readonly FluidShaderSet shaders;
         private readonly List<WallPatch> patches = new List<WallPatch>();
@@ -123,7 +126,8 @@ namespace SphFluid
         /// <summary>Begins a batch of steps.</summary>
         /// <param name="state">The liquid.</param>
         /// <param name="steps">Number of steps, 1 or more.</param>
-        internal void Begin(FluidState state, int steps)
+        /// <param name="solids">What the liquid collides with.</param>
+        internal void Begin(FluidState state, int steps, IReadOnlyList<FluidObstacle> solids)
         {
             readback.TakeReady();
             batch = null;
@@ -134,7 +138,7 @@ namespace SphFluid
             sumBuffer ??= GpuBuffers.Create("Wall Sums", 2L * Most * MostParts, sizeof(uint));
             FluidSolverSettings settings = state.Settings;
             isCarried = false;
-            for (int i = 0; i < patches.Count; i++) asked[i] = Asked(patches[i], state);
+            for (int i = 0; i < patches.Count; i++) asked[i] = Asked(patches[i], state, solids);
             askedBuffer.SetData(asked, 0, 0, patches.Count);
             batch = readback.Begin(patches, steps, UnitOf(settings));
         }
@@ -169,7 +173,7 @@ namespace SphFluid
             kernel.SetBuffer(cmd, PatchesId, forces.placedBuffer);
             kernel.SetBuffer(cmd, SumsId, forces.sumBuffer);
             kernel.SetFloat(cmd, UnitsId, (float)(state.Settings.ParticleMass / forces.batch.Unit));
-            kernel.SetFloat(cmd, SpacingId, state.Settings.Spacing);
+            kernel.SetFloat(cmd, ReachId, SpreadReach * state.Settings.Spacing);
         }
 
         internal void Bind(CommandBuffer cmd, ComputeKernel kernel, int askedId, int placedId)
@@ -187,7 +191,7 @@ namespace SphFluid
             GpuBuffers.Dispose(ref sumBuffer);
         }
 
-        private AskedPatch Asked(WallPatch patch, FluidState state)
+        private AskedPatch Asked(WallPatch patch, FluidState state, IReadOnlyList<FluidObstacle> solids)
         {
             var words = new AskedPatch
             {
@@ -198,16 +202,20 @@ namespace SphFluid
                 Depth = patch.Depth > 0f ? patch.Depth : state.Settings.Spacing,
             };
             BodyMotion motion = patch.Carrier != null ? state.Bodies?.MotionOf(patch.Carrier) : null;
-            if (motion == null) return words;
-            Quaternion toBody = Quaternion.Inverse(motion.Rotation1);
-            words.Centre = toBody * (patch.Centre - motion.Position1);
-            words.Rotation = (toBody * patch.Rotation).normalized;
-            words.Body = (uint)(state.Bodies.PlaceOf(motion) + 1);
-            isCarried |= words.Body != 0u;
+            if (motion != null)
+            {
+                Quaternion toBody = Quaternion.Inverse(motion.Rotation1);
+                words.Centre = toBody * (patch.Centre - motion.Position1);
+                words.Rotation = (toBody * patch.Rotation).normalized;
+                words.Body = (uint)(state.Bodies.PlaceOf(motion) + 1);
+                isCarried |= words.Body != 0u;
+            }
+            patch.FindCover((words.Centre, words.Rotation, patch.Size, patch.Carrier), words.Depth, state.Settings, solids);
+            words.Ends = patch.Cover.Value.Ends;
             return words;
         }
 
-        // A rectangle that goes round a periodic domain has no edge there: the squares of particles beside the seam count whole.
+        // A rectangle that goes round a periodic domain has no edge there: particles beside the seam count whole.
         private static float HalfEdge(Vector3 direction, float length, in FluidSolverSettings settings)
         {
             Vector3 periods = settings.PeriodLength;
@@ -215,7 +223,7 @@ namespace SphFluid
             {
                 bool goesRound = periods[axis] > 0f && Mathf.Abs(direction[axis]) > 0.9999f &&
                     length > periods[axis] - 1e-3f * settings.Spacing;
-                if (goesRound) return 0.5f * (Mathf.Max(length, periods[axis]) + settings.Spacing);
+                if (goesRound) return 0.5f * Mathf.Max(length, periods[axis]) + settings.Spacing;
             }
 
             return 0.5f * length;
@@ -232,12 +240,12 @@ namespace SphFluid
             Math.Pow(2.0,
                 Math.Ceiling(Math.Log(settings.ParticleMass * (double)Math.Max(settings.SoundSpeed, settings.MaxSpeed), 2.0)) - 26.0);
 
-        private const int PlacedStride = 64;
+        private const int PlacedStride = 80;
 
         [StructLayout(LayoutKind.Sequential)]
         private struct AskedPatch
         {
-            public const int Stride = 48;
+            public const int Stride = 64;
 
             public Vector3 Centre;
             public uint Body;
@@ -245,6 +253,7 @@ namespace SphFluid
             public Vector2 HalfSize;
             public float Depth;
             public uint Unused;
+            public Vector4 Ends;
         }
     }
 }

@@ -1,16 +1,18 @@
+using System;
 using System.Collections.Generic;
 using UnityEngine;
 
 namespace SphFluid
 {
     /// <summary>
-    /// A rectangle of a wall on which the force of the liquid is summed over every step: all that particles whose nearest point of a wall
-    /// lies on it are pushed by that wall, by pressure and by contact. Made by <see cref="WallForces.Add"/>. Walls count that are within
+    /// A rectangle of a wall on which the force of the liquid is summed over every step, by pressure and by contact: that on a particle
+    /// is spread over a spacing about its nearest point of the wall, up to the wall's edge. Made by <see cref="WallForces.Add"/>. Walls count that are within
     /// <see cref="Depth"/> of the rectangle and face as it does within 60°: faces of the domain and meshes, at rest or moving.
     /// </summary>
     public sealed class WallPatch
     {
         private readonly TimeMean samples = new TimeMean();
+        private (Vector3 Centre, Quaternion Rotation, Vector2 Size, object Carrier) covered;
 
         internal WallPatch()
         {
@@ -31,8 +33,10 @@ namespace SphFluid
         /// <summary>How far before and behind it a wall belongs to it [m]: a spacing, unless it was given.</summary>
         public float Depth { get; internal set; }
 
-        /// <summary>Area [m²].</summary>
-        public double Area => (double)Size.x * Size.y;
+        /// <summary>
+        /// Area [m²]: of the part that lies on a wall, as the last steps found it; of all of it where the centre is on none.
+        /// </summary>
+        public double Area => Cover?.Area ?? RectangleArea;
 
         /// <summary>
         /// Impulse of the liquid on the wall since the patch was added, against its normal [N s]; negative where it pulls.
@@ -51,7 +55,7 @@ namespace SphFluid
         /// <summary>
         /// How far back single samples are kept [simulated s], 1 by default: as long as the longest mean that is asked for.
         /// </summary>
-        /// <exception cref="System.ArgumentException">It is negative or not finite.</exception>
+        /// <exception cref="ArgumentException">It is negative or not finite.</exception>
         public double Memory { get => samples.Memory; set => samples.Memory = Require.NotNegative(value, nameof(value)); }
 
 
@@ -75,6 +79,12 @@ namespace SphFluid
         /// </summary>
         internal object Carrier { get; set; }
 
+        /// <summary>Its part on a wall; null: not looked for yet.</summary>
+        internal WallCover? Cover { get; private set; }
+
+        /// <summary>Of all of it [m²].</summary>
+        internal double RectangleArea => (double)Size.x * Size.y;
+
         /// <summary>Number of samples that have arrived since it was added.</summary>
         internal long Received { get; private set; }
 
@@ -82,7 +92,7 @@ namespace SphFluid
         /// <param name="seconds">Simulated time before <see cref="Time"/> to take the mean of; at most <see cref="Memory"/>. 0: the last
         /// sample alone.</param>
         /// <returns>The force; 0 while no sum has arrived.</returns>
-        /// <exception cref="System.ArgumentException">The time is negative or not finite.</exception>
+        /// <exception cref="ArgumentException">The time is negative or not finite.</exception>
         public double MeanForce(double seconds) => samples.Mean(Require.NotNegative(seconds, nameof(seconds)));
 
 
@@ -101,6 +111,22 @@ namespace SphFluid
         {
             samples.Clear();
             Impulse = Seconds = 0.0;
+        }
+
+        /// <summary>Finds <see cref="Cover"/> anew where the rectangle is not as it was when it was found.</summary>
+        /// <param name="place">Place and rotation on what carries it, size, and what carries it.</param>
+        /// <param name="depth">How far before and behind it a wall belongs to it [m].</param>
+        /// <param name="settings">The liquid's.</param>
+        /// <param name="solids">What it collides with.</param>
+        internal void FindCover((Vector3 Centre, Quaternion Rotation, Vector2 Size, object Carrier) place, float depth,
+            in FluidSolverSettings settings, IReadOnlyList<FluidObstacle> solids)
+        {
+            bool isKept = Cover.HasValue && place.Size == covered.Size && ReferenceEquals(place.Carrier, covered.Carrier) &&
+                (place.Centre - covered.Centre).magnitude < 1e-3f * settings.Spacing &&
+                Math.Abs(Quaternion.Dot(place.Rotation, covered.Rotation)) > 0.99999f;
+            if (isKept) return;
+            Cover = WallCover.Of(this, depth, settings, solids);
+            covered = place;
         }
 
         internal void SetSample(in WallSample sample)

@@ -22,7 +22,7 @@ namespace SphFluid.Tests
                 FluidParticle[] start = rig.FillSorted(ParticleSets.Random(count, settings.DomainSize, 40f, 6));
                 rig.State.List.Counts.SetData(new uint[Math.Max(count, 1)]);
                 rig.SetTerms(Enumerable.Range(0, count).Select(i => new Vector2(settings.RestDensity, 1e-3f * (i % 7))).ToArray());
-                WallPatch[] patches = MovedOver(rig, out Vector4[] velocities,
+                WallPatch[] patches = MovedOver(rig, Array.Empty<FluidObstacle>(), out Vector4[] velocities,
                     new WallPlan(new Vector3(-0.3f, 0.04f, -0.1f), Vector3.right, new Vector2(0.31f, 0.17f)),
                     new WallPlan(new Vector3(0.3f, -0.1f, 0f), Vector3.left, new Vector2(2f, 2f)),
                     new WallPlan(new Vector3(0.05f, -0.25f, 0.02f), Vector3.up, new Vector2(0.02f, 0.4f)));
@@ -36,7 +36,11 @@ namespace SphFluid.Tests
                         double change = Double3.Dot((Double3)(Vector3)velocities[i] - (Double3)start[i].VelT0, (Double3)normal);
                         double away = Double3.Dot((Double3)start[i].Position - (Double3)patch.Centre, (Double3)normal);
                         if (away > settings.SupportRadius) continue; // of the face at the other side
-                        double share = change * Share(patch, start[i].Position, settings.Spacing);
+                        double share = change * Share(patch, (Double3)start[i].Position, settings.Spacing, axis =>
+                        {
+                            double half = Math.Abs(Vector3.Dot(0.5f * settings.DomainSize, axis)), centre = Vector3.Dot(patch.Centre, axis);
+                            return (-half - centre, half - centre);
+                        });
                         sum += share;
                         size += Math.Abs(share);
                     }
@@ -49,47 +53,61 @@ namespace SphFluid.Tests
             }
         }
 
-        // Both planes are square to each other, so that each pushes along its own normal.
+        // Both planes are square to each other. The first patch's wall ends where the second's begins, so it also has what the second plane
+        // pushes along its normal, of particles that stand within a spacing of its edge.
         [Test]
         public void PlanesOfMeshesGiveEachPatchItsOwnPart([Values(1, 63, 64, 65, 257)] int count)
         {
             FluidSolverSettings settings = Still(Vector3.one);
             Vector3 first = new Vector3(0.6f, 0.8f, 0f), second = new Vector3(-0.8f, 0.6f, 0f);
+            Vector3 firstPush = -0.9f / Spacing * first, secondPush = -0.4f / Spacing * second - 0.2f / Spacing * first;
             var random = new System.Random(count);
+            TriangleMesh sheet = TriangleMesh.FromCorners(new[]
+            {
+                -0.3f * Vector3.forward, 0.4f * second - 0.3f * Vector3.forward, 0.4f * second + 0.3f * Vector3.forward,
+                -0.3f * Vector3.forward, 0.4f * second + 0.3f * Vector3.forward, 0.3f * Vector3.forward,
+            });
             using (StandardStateRig rig = WalledStateRig.Create(settings, count, out CollisionBodies bodies))
             using (bodies)
+            using (var obstacles = new FluidObstacles(settings))
             {
+                obstacles.Add(sheet, Matrix4x4.identity);
+                obstacles.Update(Matrix4x4.identity);
                 FluidParticle[] corner = ParticleSets.Random(count, Vector3.one, 20f, 5);
                 for (int i = 0; i < count; i++)
                 {
-                    corner[i].Position = (0.1f + (float)random.NextDouble()) * Spacing * first +
-                        (0.1f + (float)random.NextDouble()) * Spacing * second +
+                    corner[i].Position = (0.4f + 0.7f * (float)random.NextDouble()) * Spacing * first +
+                        (0.4f + 1.2f * (float)random.NextDouble()) * Spacing * second +
                         0.4f * (float)(random.NextDouble() - 0.5) * Vector3.forward;
                 }
                 FluidParticle[] start = rig.FillSorted(corner);
                 rig.State.List.Counts.SetData(new uint[count]);
                 WalledStateRig.SetWalls(rig,
-                    start.Select(p => StoredWall.Pack(p.Position, false, 0.3f, new[] { -0.9f / Spacing * first, -0.4f / Spacing * second },
+                    start.Select(p => StoredWall.Pack(p.Position, false, 0.3f, new[] { firstPush, secondPush },
                     (first, Vector3.Dot(p.Position, first)), (second, Vector3.Dot(p.Position, second)))).ToList());
                 rig.SetTerms(Enumerable.Range(0, count).Select(i => new Vector2(settings.RestDensity, 1e-3f * (1 + i % 7))).ToArray());
-                WallPatch[] patches = MovedOver(rig, out Vector4[] velocities, new WallPlan(Vector3.zero, first, new Vector2(2f, 2f)),
-                    new WallPlan(Vector3.zero, second, new Vector2(0.17f, 2f)));
-                foreach (WallPatch patch in patches)
+                WallPatch[] patches = MovedOver(rig, obstacles.Found, out Vector4[] velocities,
+                    new WallPlan(0.1f * second, first, new Vector2(2f, 0.9f)), new WallPlan(0.6f * first, second, new Vector2(0.17f, 2f)));
+                Assert.That(patches[0].Area, Is.EqualTo(0.4 * 0.6).Within(1e-4).Percent);
+                Assert.That(patches[1].Area, Is.EqualTo(0.34).Within(1e-4).Percent, "of none its own");
+                double unit = TimeStep * settings.RestDensity / StandardReference.Response(settings);
+                double ofFirst = 0.0, ofSecond = 0.0;
+                for (int i = 0; i < count; i++)
                 {
-                    Vector3 normal = patch.Rotation * Vector3.forward;
-                    double sum = 0.0, size = 0.0;
-                    for (int i = 0; i < count; i++)
-                    {
-                        double share = Share(patch, start[i].Position, settings.Spacing) *
-                            Double3.Dot((Double3)(Vector3)velocities[i] - (Double3)start[i].VelT0, (Double3)normal);
-                        sum += share;
-                        size += Math.Abs(share);
-                    }
-
-                    // Normals are stored to 3e-5.
-                    Assert.That(patch.Impulse,
-                        Is.EqualTo(settings.ParticleMass * sum).Within(settings.ParticleMass * (5e-4 * size + 1e-6)));
+                    double push = unit * 1e-3 * (1 + i % 7), away = Vector3.Dot(start[i].Position, first);
+                    var place = (Double3)start[i].Position;
+                    Func<Vector3, (double, double)> sheetAlong = axis => Math.Abs(axis.z) > 0.9 ? (-0.3, 0.3)
+                        : Vector3.Dot(axis, second) > 0f ? (-0.1, 0.3) : (-0.3, 0.1);
+                    ofFirst += push * 0.9 / Spacing * Share(patches[0], place - away * (Double3)first, Spacing, sheetAlong);
+                    bool isNear = away < Spacing; // as deep as the patch
+                    Double3 foot = place - Double3.Dot(place, (Double3)second) * (Double3)second;
+                    ofFirst += isNear ? push * 0.2 / Spacing * Share(patches[0], foot, Spacing, sheetAlong) : 0.0;
+                    ofSecond += push * 0.4 / Spacing * Share(patches[1], foot, Spacing, _ => (-10.0, 10.0));
                 }
+
+                double mass = settings.ParticleMass;
+                Assert.That(patches[0].Impulse, Is.EqualTo(mass * ofFirst).Within(mass * (5e-4 * ofFirst + 1e-6))); // normals to 3e-5
+                Assert.That(patches[1].Impulse, Is.EqualTo(mass * ofSecond).Within(mass * (5e-4 * ofSecond + 1e-6)));
             }
         }
 
@@ -225,7 +243,8 @@ namespace SphFluid.Tests
         }
 
         // Records a single step of MoveParticles with patches, and hands out the velocities after it.
-        private static WallPatch[] MovedOver(StandardStateRig rig, out Vector4[] velocities, params WallPlan[] plans)
+        private static WallPatch[] MovedOver(StandardStateRig rig, IReadOnlyList<FluidObstacle> solids, out Vector4[] velocities,
+            params WallPlan[] plans)
         {
             var forces = new WallForces(rig.Shaders);
             rig.State.WallForces = forces;
@@ -233,7 +252,7 @@ namespace SphFluid.Tests
             var step = new FluidStep(TimeStep, TimeStep, false);
             GpuTest.Run(cmd =>
             {
-                forces.Begin(rig.State, 1);
+                forces.Begin(rig.State, 1, solids);
                 forces.RecordStep(cmd, rig.State, step, TimeStep);
                 new MoveParticlesPass(rig.Shaders).Record(cmd, rig.State, step);
                 forces.End(cmd);
@@ -245,17 +264,26 @@ namespace SphFluid.Tests
             return patches;
         }
 
-        // Part of the square that a particle stands on that lies on a patch.
-        private static double Share(WallPatch patch, Vector3 position, double edge)
+        // What of (1 - t²)² about a foot, up to a reach and to the ends of the wall, lies on a patch.
+        private static double Share(WallPatch patch, Double3 foot, double spacing, Func<Vector3, (double Low, double High)> wallAlong)
         {
-            var d = (Double3)position - (Double3)patch.Centre;
+            Double3 d = foot - (Double3)patch.Centre;
+            double reach = 0.94 * spacing;
             double Along(Vector3 axis, double length)
             {
-                double x = Double3.Dot(d, (Double3)(patch.Rotation * axis));
-                return Math.Max(0.0, Math.Min(x + 0.5 * edge, 0.5 * length) - Math.Max(x - 0.5 * edge, -0.5 * length)) / edge;
+                (double low, double high) = wallAlong(axis);
+                double x = Math.Max(low, Math.Min(high, Double3.Dot(d, (Double3)axis)));
+                double Over(double from, double to) => to <= from ? 0.0 : Primitive((to - x) / reach) - Primitive((from - x) / reach);
+                return Over(Math.Max(low, -0.5 * length), Math.Min(high, 0.5 * length)) / Over(low, high);
             }
 
-            return Along(Vector3.right, patch.Size.x) * Along(Vector3.up, patch.Size.y);
+            return Along(patch.Rotation * Vector3.right, patch.Size.x) * Along(patch.Rotation * Vector3.up, patch.Size.y);
+        }
+
+        private static double Primitive(double t)
+        {
+            double u = Math.Max(-1.0, Math.Min(1.0, t));
+            return u - 2.0 / 3.0 * u * u * u + u * u * u * u * u / 5.0;
         }
 
         private readonly struct WallPlan

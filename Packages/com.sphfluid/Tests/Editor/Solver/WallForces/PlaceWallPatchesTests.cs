@@ -10,9 +10,9 @@ namespace SphFluid.Tests
     {
         private const float Spacing = 0.05f;
 
-        // The buffer that the kernels read: Centre, half an edge, Right, half an edge, Up, depth, count, place of the sums.
+        // The buffer that the kernels read: Centre, half an edge, Right, half an edge, Up, depth, count, place of the sums, two of none, ends.
         private static Vector3 At(float[] words, int patch, int word) =>
-            new Vector3(words[16 * patch + word], words[16 * patch + word + 1], words[16 * patch + word + 2]);
+            new Vector3(words[20 * patch + word], words[20 * patch + word + 1], words[20 * patch + word + 2]);
 
         [Test]
         public void PatchesStandAsAsked([Values(1, 2, 63, 64)] int count)
@@ -26,17 +26,17 @@ namespace SphFluid.Tests
                         i % 2 == 0 ? 0f : 0.3f);
                 }
                 rig.Frame(1);
-                float[] words = GpuTest.Read<float>(rig.Forces.Placed, 16 * count);
-                uint[] bits = GpuTest.Read<uint>(rig.Forces.Placed, 16 * count);
+                float[] words = GpuTest.Read<float>(rig.Forces.Placed, 20 * count);
+                uint[] bits = GpuTest.Read<uint>(rig.Forces.Placed, 20 * count);
                 for (int i = 0; i < count; i++)
                 {
                     WallPatch patch = rig.Forces.Patches[i];
                     Assert.That(At(words, i, 0), Is.EqualTo(patch.Centre));
                     Assert.That((At(words, i, 4) - patch.Rotation * Vector3.right).magnitude, Is.LessThan(1e-6f));
                     Assert.That((At(words, i, 8) - patch.Rotation * Vector3.up).magnitude, Is.LessThan(1e-6f));
-                    Assert.That((words[16 * i + 3], words[16 * i + 7]), Is.EqualTo((0.5f * patch.Size.x, 0.5f * patch.Size.y)));
-                    Assert.That(words[16 * i + 11], Is.EqualTo(i % 2 == 0 ? Spacing : 0.3f));
-                    Assert.That((bits[16 * i + 12], bits[16 * i + 13]), Is.EqualTo(((uint)count, 2u * (uint)i)));
+                    Assert.That((words[20 * i + 3], words[20 * i + 7]), Is.EqualTo((0.5f * patch.Size.x, 0.5f * patch.Size.y)));
+                    Assert.That(words[20 * i + 11], Is.EqualTo(i % 2 == 0 ? Spacing : 0.3f));
+                    Assert.That((bits[20 * i + 12], bits[20 * i + 13]), Is.EqualTo(((uint)count, 2u * (uint)i)));
                 }
             }
         }
@@ -63,7 +63,7 @@ namespace SphFluid.Tests
                 Matrix4x4 motion = after * before.inverse;
                 Quaternion turn = Quaternion.LerpUnclamped(Quaternion.identity, motion.rotation, 0.75f);
                 Vector3 expected = turn * before.MultiplyPoint3x4(new Vector3(0.05f, 0.1f, 0f)) + 0.75f * (Vector3)motion.GetColumn(3);
-                float[] words = GpuTest.Read<float>(rig.Forces.Placed, 32);
+                float[] words = GpuTest.Read<float>(rig.Forces.Placed, 40);
                 Assert.That((At(words, 1, 0) - expected).magnitude, Is.LessThan(1e-5f));
                 Assert.That((At(words, 1, 8) - turn * (before.rotation * Vector3.up)).magnitude, Is.LessThan(1e-5f));
                 Assert.That(At(words, 0, 0), Is.EqualTo(still.Centre), "one that nothing carries stays");
