@@ -51,7 +51,7 @@ namespace SphFluid
         {
         }
 
-        public override bool Acts(in StandardSettings settings) => settings.GradientCorrection;
+        public override bool Acts(in StandardSettings settings) => settings.GradientCorrection && !(settings.SurfaceTension > 0f);
 
         public override string Describe(in FluidRuleInput input) => "the gradient correction";
 

@@ -68,7 +68,7 @@ void MoveOffset(uint id, CorrectedSums sums, float3 wallGradient)
     const float offset = asfloat(_CorrectionsOut[id].w);
     const float gradient = length(wallGradient / _InverseSupport - _SlopeToGradient * sums.Slope);
     const float most = gradient > 0.15 ? 1.5 * _RestDensity * Deficit(gradient) : 0.0;
-    const float filled = clamp(offset + max(_RestDensity - density, 0.0), 0.0, most);
+    const float filled = clamp(offset + max(0.999996 * _RestDensity - density, 0.0), 0.0, most); // as the mass: rounding is no pressure
     const float target = gradient > 0.3 ? filled : 0.0;
     const float fading = offset > max(most, 0.01 * _RestDensity) ? _OffsetFading.y : _OffsetFading.x;
     const float work = -_SlopeFactor * sums.Work;

@@ -74,9 +74,25 @@ WallMoments MomentsOfWalls(uint slot, float3 position)
         const float solid = saturate(wall.Share / max(1.0 - open, 1e-6));
         walls.Full = Scaled(walls.Full, solid);
         walls.Pushed = Scaled(walls.Pushed, solid);
+        walls.Pushed = walls.Full; // see WallFade
     }
 #endif
     return walls;
+}
+
+// How much of the correction acts: before triangles, whose planes tell too little of their layers, none within R/2 and all beyond R.
+float WallFade(uint slot, float3 position)
+{
+    float nearest = 1.0 / _InverseSupport;
+#if defined(FLUID_MESH_WALLS)
+    [branch]
+    if (slot != 0u)
+    {
+        const NearWall wall = WallOf(slot, position);
+        nearest = min(wall.Planes[0].w, min(wall.Planes[1].w, wall.Planes[2].w));
+    }
+#endif
+    return saturate(2.0 * nearest * _InverseSupport - 1.0);
 }
 
 #endif

@@ -83,7 +83,7 @@ namespace SphFluid.Tests
             }
             double gradient = radius * slopes.Length;
             double flat = Math.Min(gradient, 1.44), most = gradient > 0.15 ? 1.5 * rest * flat * (0.0488 + 0.0966 * flat) : 0.0;
-            double filled = Math.Max(0.0, Math.Min(most, offset + Math.Max(0.0, rest - density[i])));
+            double filled = Math.Max(0.0, Math.Min(most, offset + Math.Max(0.0, 0.999996 * rest - density[i])));
             if (offset == 0.0) return filled;
             double target = gradient > 0.3 ? filled : 0.0, fading = offset > Math.Max(most, 0.01 * rest) ? 0.09 : 0.0018;
             double threshold = 0.005 * rest * sound / radius;

@@ -161,7 +161,8 @@ namespace SphFluid.Tests
         [Test]
         public void ItIsFreeWhereItDoesNotAct()
         {
-            FluidSolverSettings off = BodyRig.Water(Domain, Spacing, 0.3f), on = CorrectionReference.Corrected(off);
+            FluidSolverSettings on = CorrectionReference.Corrected(BodyRig.Water(Domain, Spacing, 0.3f));
+            FluidSolverSettings off = on.WithOwn((ref StandardSettings own) => own.GradientCorrection = false);
             FluidParticle[] start = ParticleSets.Lattice(new Vector3Int(6, 5, 6), Spacing, 0.05f * Spacing, 1);
             using (StandardRig never = new StandardRig(off, start), once = new StandardRig(on, start), now = new StandardRig(on, start))
             {
