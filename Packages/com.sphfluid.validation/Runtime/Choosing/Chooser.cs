@@ -70,7 +70,7 @@ namespace SphFluid.Validation
         private static IEnumerable<ChoiceOption> Options(ErrorModel model, ChoiceQuestion question)
         {
             ChoiceScale scale = ChoiceScale.Of(question);
-            foreach (ChoiceCurve curve in model.Curves.Where(c => c.First.Method != "thesis-printed"))
+            foreach (ChoiceCurve curve in model.Curves.Where(c => !CaseMethod.Find(c.First.Method).IsReference))
             {
                 if (curve.Compression > question.Compression * 1.001) continue;
                 int last = curve.Points[curve.Points.Count - 1].Resolution;

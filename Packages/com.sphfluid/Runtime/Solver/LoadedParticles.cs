@@ -36,17 +36,19 @@ namespace SphFluid
         /// <param name="isFixed">Whether all of them count: the method has a fixed number, of one or more.</param>
         /// <param name="name">Name of the caller's argument.</param>
         /// <returns>A copy of them; without those that are marked as removed where the number may change.</returns>
-        /// <exception cref="ArgumentException">There is no particle, or one lies outside the domain.</exception>
+        /// <exception cref="ArgumentException">There is no particle, one lies outside the domain, or an offset of the density is not
+        /// finite.</exception>
         public static FluidParticle[] Check(in FluidSolverSettings settings, IReadOnlyList<FluidParticle> initial, bool isFixed,
             string name)
         {
             if (initial == null || isFixed && initial.Count == 0) throw new ArgumentException("A fluid needs one particle or more.", name);
             var particles = new FluidParticle[initial.Count];
-            int count = 0, outside = 0;
+            int count = 0, outside = 0, unknown = 0;
             for (int i = 0; i < particles.Length; i++)
             {
                 if (!isFixed && initial[i].IsRemoved) continue;
                 outside += DomainSpace.Holds(initial[i].Position, settings.DomainSize) ? 0 : 1;
+                unknown += AffineMath.IsFinite(initial[i].DensityOffset) ? 0 : 1;
                 particles[count++] = initial[i];
             }
 
@@ -55,6 +57,13 @@ namespace SphFluid
                 throw new ArgumentException(
                     $"{outside} of {particles.Length} particles lie outside the domain of {settings.DomainSize} m. Move the liquid or " +
                     "enlarge the domain.",
+                    name);
+            }
+
+            if (unknown > 0)
+            {
+                throw new ArgumentException(
+                    $"{unknown} of {particles.Length} particles have a DensityOffset that is not finite. Set it to 0: the liquid finds it.",
                     name);
             }
 

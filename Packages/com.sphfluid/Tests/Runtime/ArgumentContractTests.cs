@@ -15,7 +15,7 @@ namespace SphFluid.Tests
             (@"^FluidDetectors\.", "looks for what is wrong with constants and measurements"),
             (@"^ComputeKernel\.", "hands on what a shader is to get, as a CommandBuffer does"),
             (@"^FluidParticle\.new", "is checked where a liquid takes it"),
-            (@" (initial|particles)\.(VelT0|VelT1|Removed|Pad) ", "is counted and stopped by the guards of the steps"),
+            (@" (initial|particles)\.(VelT0|VelT1|Removed) ", "is counted and stopped by the guards of the steps"),
             (@"^TriangleMesh\.(Contains|Winding|IsNear)", "is nowhere without numbers"),
             (@"^TriangleMesh\.GetTriangle", "is an index of an array, in inner loops"),
             (@"^TriangleMesh\.(Box|Transformed|Deformed)", "makes triangles without numbers, left out and named where a liquid takes them"),
