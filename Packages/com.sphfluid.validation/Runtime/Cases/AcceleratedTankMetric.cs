@@ -55,8 +55,9 @@ namespace SphFluid.Validation
 
         /// <summary>
         /// RMS along the tank and over time of the level's error over the exact level's; the first mode's period; the slope that it swings
-        /// about; the damping rate of its swing over its frequency; RMS of the second mode over the first, which second order makes; kinetic
-        /// energy that is no linear wave's, in the second period over the waves' and in the third over the second: noise and what boils.
+        /// about; the damping rate of its swing over its frequency; RMS of the second mode over the first, which second order makes;
+        /// kinetic energy that is no linear wave's, in the second period over the waves' and in the third over the second: noise and what
+        /// boils.
         /// </summary>
         public override IReadOnlyList<CaseError> Evaluate()
         {
