@@ -50,10 +50,9 @@ namespace SphFluid.Validation
             new CaseMethod("thesis-printed", "thesis, as printed", FluidMethodKind.ThesisPrinted, 2.0, isReference: true),
             new CaseMethod("thesis", "thesis, corrected", FluidMethodKind.Thesis, 2.0),
             new CaseMethod("robust", "robust", FluidMethodKind.Robust, 2.25),
-            new CaseMethod("standard-uncorrected", "standard, uncorrected", FluidMethodKind.Standard, 2.25, feelsWalls: true,
-                hasTension: true, isReference: true),
-            new CaseMethod("standard", "standard", FluidMethodKind.Standard, 2.25, feelsWalls: true, hasTension: true,
-                correctsGradient: true),
+            new CaseMethod("standard-corrected", "standard, gradient corrected", FluidMethodKind.Standard, 2.25, feelsWalls: true,
+                hasTension: true, correctsGradient: true, isReference: true),
+            new CaseMethod("standard", "standard", FluidMethodKind.Standard, 2.25, feelsWalls: true, hasTension: true),
         };
 
         /// <summary>Whether settings are of one of the thesis's methods.</summary>

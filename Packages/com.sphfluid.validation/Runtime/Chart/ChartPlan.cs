@@ -17,7 +17,7 @@ namespace SphFluid.Validation
         internal const double QuickBudget = 420.0 * StepWork.SoftwareRate;
 
         // Time of a full chart; the costs of steps and the pictures come on top.
-        private const double FullSeconds = 40.0 * 60.0;
+        private const double FullSeconds = 50.0 * 60.0;
 
         /// <summary>Most work of one run on a software device, five minutes: a slice of eight holds it.</summary>
         internal const double SoftwareRunLimit = 300.0 * StepWork.SoftwareRate;
@@ -43,7 +43,7 @@ namespace SphFluid.Validation
         /// <summary>Work of all runs.</summary>
         public double Cost => runs.Sum(r => r.Cost);
 
-        /// <summary>Work of a full chart: 40 minutes of a software device on two cores, or of a graphics card.</summary>
+        /// <summary>Work of a full chart: 50 minutes of a software device on two cores, or of a graphics card.</summary>
         internal static double FullBudget(bool isSoftware) => FullSeconds * (isSoftware ? StepWork.SoftwareRate : StepWork.CardRate);
 
         /// <summary>What is left out in a few words, for instance "the time step of marin; further seeds".</summary>

@@ -81,7 +81,6 @@ namespace SphFluid.Validation
         /// <summary>Whether users choose the method for their liquids: not the thesis's, which is there to be compared with.</summary>
         public static bool IsOffered(CaseMethod method) => method.Kind != FluidMethodKind.Thesis && !method.IsReference;
 
-
         private delegate void Change(ref CaseParameters parameters);
 
         private static IEnumerable<ChartConfig> Spacings(ValidationCase validationCase, CaseParameters start, params double[] scales) =>

@@ -38,6 +38,6 @@ namespace SphFluid.Validation
 
         /// <summary>The lines of a chart.</summary>
         internal static IEnumerable<StepFitRow> Of(ChartData chart) =>
-            CaseMethod.All.Where(m => chart.CostOf(m) != null).Select(m => new StepFitRow(chart, m));
+            CaseMethod.All.Where(m => !m.IsReference && chart.CostOf(m) != null).Select(m => new StepFitRow(chart, m));
     }
 }

@@ -13,7 +13,7 @@ namespace SphFluid.Validation
         {
             AddQuick("fewer points: a quarter of an hour on two CPU cores");
             AddChoice("--map", "these maps", "all, and the borders", maps, StabilityMap.All, m => m.Name);
-            AddChoice("--method", "these methods", "all; not thesis-printed and standard-uncorrected with --quick", methods, CaseMethod.All, m => m.Name);
+            AddChoice("--method", "these methods", "all; not thesis-printed and standard-corrected with --quick", methods, CaseMethod.All, m => m.Name);
             AddFolder();
             AddSlice("none");
             AddShard();

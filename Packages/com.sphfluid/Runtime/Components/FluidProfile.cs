@@ -77,7 +77,7 @@ namespace SphFluid
             Tooltip("Corrects the gradient of the pressure where particles are arranged unevenly, and evens out the noise of the " +
             "density: waves last longer and keep their speed, for about a fifth more time a step. Not where Surface Tension acts. " +
             "Standard method only.")]
-        private bool gradientCorrection = true;
+        private bool gradientCorrection;
 
         [SerializeField, Range(0f, 0.05f), Tooltip("Least kinematic viscosity that keeps the liquid calm, as a multiple of " +
             "speed of sound times support radius. The Standard method takes a tenth of it.")]

@@ -100,7 +100,6 @@ namespace SphFluid
             RestDensity = 1000f,
             KinematicViscosity = 1e-6f,
             ContactAngle = 90f,
-            GradientCorrection = true,
             SupportRatio = 2.25f,
             SoundSpeedRatio = 5f,
             MaxCompression = 0.04f,

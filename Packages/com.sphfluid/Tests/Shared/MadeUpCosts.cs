@@ -14,9 +14,8 @@ namespace SphFluid.Tests
 
         /// <summary>Sets what a step costs.</summary>
         public MadeUpCosts Set(FluidMethodKind method, double milliseconds, long particles = 64, bool inPlay = true, bool hasBodies = false,
-            double supportRatio = 2.25, string variant = null)
+            double supportRatio = 2.25, string variant = "")
         {
-            variant ??= method == FluidMethodKind.Standard ? "+correction" : ""; // as a profile has it
             table.Record(StepCostKey.Create(method, supportRatio, hasBodies, variant),
                 new StepCost { Particles = particles, Milliseconds = milliseconds, InPlay = inPlay });
             return this;

@@ -105,11 +105,11 @@ namespace SphFluid.Tests
         [TestCase("thesis_27", 18)]
         [TestCase("thesis_27_fused", 9)]
         [TestCase("thesis_8", 18)]
-        [TestCase("standard", 7)]
-        [TestCase("standard_search", 7)]
-        [TestCase("standard_unordered", 6)]
-        [TestCase("standard_mesh", 10)]
-        [TestCase("standard_2.25", 7)]
+        [TestCase("standard", 5)]
+        [TestCase("standard_search", 5)]
+        [TestCase("standard_unordered", 4)]
+        [TestCase("standard_mesh", 8)]
+        [TestCase("standard_2.25", 5)]
         public void DispatchesOfAStep(string name, int expected)
         {
             BenchSolver solver = BenchPlan.Solver(null).Solvers.Single(s => s.Name == name);

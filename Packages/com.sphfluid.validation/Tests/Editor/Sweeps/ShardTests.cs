@@ -44,7 +44,7 @@ namespace SphFluid.Tests
         [TestCase("chart", "chart")]
         [TestCase("chart --quick --case heave,jet --method standard", "chart --quick --case heave jet --method standard")]
         [TestCase("stability --quick --method standard thesis --slice 3", "stability --quick --method standard thesis")]
-        [TestCase("stability --map M1 --map M2 --method thesis-printed thesis robust standard-uncorrected standard --shard 1/2", "stability --map M1 M2")]
+        [TestCase("stability --map M1 --map M2 --method thesis-printed thesis robust standard-corrected standard --shard 1/2", "stability --map M1 M2")]
         [TestCase("stability --map M1 M2 M3 M4 M5 M6", "stability --map M1 M2 M3 M4 M5 M6")]
         [TestCase("leaks --scene wall cup --out x", "leaks --scene wall cup")]
         [TestCase("surfaces --quick", "surfaces --quick")]

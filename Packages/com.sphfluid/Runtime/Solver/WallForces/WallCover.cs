@@ -99,20 +99,22 @@ namespace SphFluid
             var from = new Vector3(0f, 0f, Above * spacing);
             for (int t = 0; t < mesh.TriangleCount; t++)
             {
-                var corners = new Vector3[3];
-                mesh.GetTriangle(t, out corners[0], out corners[1], out corners[2]);
-                for (int i = 0; i < 3; i++) corners[i] = toPatch.MultiplyPoint3x4(corners[i]);
-                float facing = Vector3.Cross(corners[1] - corners[0], corners[2] - corners[0]).normalized.z;
+                mesh.GetTriangle(t, out Vector3 a, out Vector3 b, out Vector3 c);
+                (a, b, c) = (toPatch.MultiplyPoint3x4(a), toPatch.MultiplyPoint3x4(b), toPatch.MultiplyPoint3x4(c));
+                Vector3 low = Vector3.Min(a, Vector3.Min(b, c)), high = Vector3.Max(a, Vector3.Max(b, c));
+                bool isFar = low.x > limits.y || high.x < -limits.x || low.y > limits.w || high.y < -limits.z;
+                if (isFar || low.z > reach || high.z < -reach) continue;
+                float facing = Vector3.Cross(b - a, c - a).normalized.z;
                 if (Math.Abs(facing) > Side)
                 {
-                    found.Add((corners, facing));
-                    float distance = TriangleMath.ClosestPoint(Vector3.zero, corners[0], corners[1], corners[2]).magnitude;
+                    found.Add((new[] { a, b, c }, facing));
+                    float distance = TriangleMath.ClosestPoint(Vector3.zero, a, b, c).magnitude;
                     if (distance < nearest) (nearest, sign) = (distance, facing);
                     continue;
                 }
                 for (int side = 0; side < 4; side++)
                 {
-                    bool meets = TriangleMath.LineCrosses(from, Direction(side), corners[0], corners[1], corners[2], out float along);
+                    bool meets = TriangleMath.LineCrosses(from, Direction(side), a, b, c, out float along);
                     if (meets && along > 0f) ends[side] = Math.Min(ends[side], along);
                 }
             }

@@ -210,7 +210,7 @@ namespace SphFluid
                 words.Body = (uint)(state.Bodies.PlaceOf(motion) + 1);
                 isCarried |= words.Body != 0u;
             }
-            patch.FindCover((words.Centre, words.Rotation, patch.Size, patch.Carrier), words.Depth, state.Settings, solids);
+            patch.FindCover((words.Centre, words.Rotation, patch.Size, patch.Carrier, solids.Count), words.Depth, state.Settings, solids);
             words.Ends = patch.Cover.Value.Ends;
             return words;
         }

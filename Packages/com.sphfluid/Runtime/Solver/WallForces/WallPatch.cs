@@ -6,13 +6,14 @@ namespace SphFluid
 {
     /// <summary>
     /// A rectangle of a wall on which the force of the liquid is summed over every step, by pressure and by contact: that on a particle
-    /// is spread over a spacing about its nearest point of the wall, up to the wall's edge. Made by <see cref="WallForces.Add"/>. Walls count that are within
-    /// <see cref="Depth"/> of the rectangle and face as it does within 60°: faces of the domain and meshes, at rest or moving.
+    /// is spread over a spacing about its nearest point of the wall, up to the wall's edge. Made by <see cref="WallForces.Add"/>. Walls
+    /// count that are within <see cref="Depth"/> of the rectangle and face as it does within 60°: faces of the domain and meshes, at rest
+    /// or moving. On an edge of the wall what the faces round it push along the normal counts too.
     /// </summary>
     public sealed class WallPatch
     {
         private readonly TimeMean samples = new TimeMean();
-        private (Vector3 Centre, Quaternion Rotation, Vector2 Size, object Carrier) covered;
+        private (Vector3 Centre, Quaternion Rotation, Vector2 Size, object Carrier, int Solids) covered;
 
         internal WallPatch()
         {
@@ -114,14 +115,15 @@ namespace SphFluid
         }
 
         /// <summary>Finds <see cref="Cover"/> anew where the rectangle is not as it was when it was found.</summary>
-        /// <param name="place">Place and rotation on what carries it, size, and what carries it.</param>
+        /// <param name="place">Place and rotation on what carries it, size, what carries it, and the number of solids.</param>
         /// <param name="depth">How far before and behind it a wall belongs to it [m].</param>
         /// <param name="settings">The liquid's.</param>
         /// <param name="solids">What it collides with.</param>
-        internal void FindCover((Vector3 Centre, Quaternion Rotation, Vector2 Size, object Carrier) place, float depth,
-            in FluidSolverSettings settings, IReadOnlyList<FluidObstacle> solids)
+        internal void FindCover((Vector3 Centre, Quaternion Rotation, Vector2 Size, object Carrier, int Solids) place,
+            float depth, in FluidSolverSettings settings, IReadOnlyList<FluidObstacle> solids)
         {
             bool isKept = Cover.HasValue && place.Size == covered.Size && ReferenceEquals(place.Carrier, covered.Carrier) &&
+                place.Solids == covered.Solids &&
                 (place.Centre - covered.Centre).magnitude < 1e-3f * settings.Spacing &&
                 Math.Abs(Quaternion.Dot(place.Rotation, covered.Rotation)) > 0.99999f;
             if (isKept) return;

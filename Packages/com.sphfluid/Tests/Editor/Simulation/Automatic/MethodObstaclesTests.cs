@@ -19,7 +19,7 @@ namespace SphFluid.Tests
         {
             rig = new SimulationRig(1f / 60f);
             costs = new MadeUpCosts();
-            foreach (string variant in new[] { "+correction", "+tension", "+viscous+correction", "+viscous+tension" })
+            foreach (string variant in new[] { "", "+tension", "+viscous", "+viscous+tension" })
             {
                 costs.Set(FluidMethodKind.Standard, 1.0, variant: variant);
             }

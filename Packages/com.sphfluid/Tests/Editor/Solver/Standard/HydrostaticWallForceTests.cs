@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>Pressure of water at rest on floor, side wall, mesh and a box under water, by the force on the wall, up to all edges.</summary>
+    /// <summary>Pressure of water at rest on floor, side wall, mesh and a box under water: the force on them, to the edges.</summary>
     public sealed class HydrostaticWallForceTests
     {
         private const float Spacing = 0.025f;

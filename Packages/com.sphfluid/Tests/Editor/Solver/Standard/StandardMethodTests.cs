@@ -16,7 +16,6 @@ namespace SphFluid.Tests
             input.DomainSize = domain;
             input.Spacing = Spacing;
             input.SupportRatio = 2f;
-            input.GradientCorrection = false; // GradientCorrectionTests has what it adds
             input.LiquidHeight = domain.y;
             input.LiquidDepth = 0.5f * domain.y;
             FluidSolverSettings settings = FluidRules.Derive(input);

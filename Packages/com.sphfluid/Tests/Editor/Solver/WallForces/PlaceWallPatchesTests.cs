@@ -10,7 +10,7 @@ namespace SphFluid.Tests
     {
         private const float Spacing = 0.05f;
 
-        // The buffer that the kernels read: Centre, half an edge, Right, half an edge, Up, depth, count, place of the sums, two of none, ends.
+        // The buffer that the kernels read: Centre, half an edge, Right, half an edge, Up, depth, count, place of sums, two of none, ends.
         private static Vector3 At(float[] words, int patch, int word) =>
             new Vector3(words[20 * patch + word], words[20 * patch + word + 1], words[20 * patch + word + 2]);
 
