@@ -62,7 +62,7 @@ namespace SphFluid
 
         public override void SetDensity(CommandBuffer cmd, ComputeKernel kernel, StandardState state)
         {
-            if (SetKeyword(cmd, kernel, state) is { } buffers) kernel.Set(cmd, buffers.Corrections);
+            if (SetKeyword(cmd, kernel, state) is { } buffers) kernel.SetOut(cmd, buffers.Corrections);
         }
 
         public override void SetMotion(CommandBuffer cmd, ComputeKernel kernel, StandardState state, in FluidStep step)

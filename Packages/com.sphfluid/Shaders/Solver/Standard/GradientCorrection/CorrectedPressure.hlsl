@@ -8,6 +8,7 @@
 //   q = (m/M) sum_j ((B_i - 1) grad W).(v_i - v_j),  t = 0.005 rho0 c/R: calm liquid is left alone.
 // Made for the pass that goes through the pairs anyway.
 #include "SymmetricMatrix.hlsl"
+#include "OffsetBits.hlsl"
 
 RWStructuredBuffer<uint4> _CorrectionsOut; // B - 1 as half floats until the next sort, and the bits of o, kg/m^3; 0: not known yet
 float _RestDensity;
@@ -77,7 +78,7 @@ void MoveOffset(uint id, CorrectedSums sums, float3 wallGradient)
     const bool starts = offset == 0.0;
     const float next = starts ? filled : offset + fading * (target - offset) + change;
     const uint bits = asuint(abs(next) < _RestDensity ? next : 0.0); // what is not a number is not known
-    _CorrectionsOut[id].w = starts && bits != 0u ? bits | 1u : bits & ~1u; // odd where it was not known before: no impact made it
+    _CorrectionsOut[id].w = (bits & ~(OFFSET_STARTS | OFFSET_HIT)) | (starts && bits != 0u ? OFFSET_STARTS : 0u);
 }
 
 #endif

@@ -43,6 +43,49 @@ namespace SphFluid.Tests
             }
         }
 
+        // Every second is compressed by more than a step does, every third only starts to have an offset.
+        [Test]
+        public void WhatIsHitIsNotCorrectedUntilTheNextSort([Values] bool listed)
+        {
+            const int count = 257;
+            FluidSolverSettings settings = Settings();
+            using (var rig = new StandardStateRig(settings, count))
+            {
+                FluidParticle[] particles = rig.FillSorted(ParticleSets.Random(count, 0.7f * Domain, 1f, 3));
+                FillCorrections(rig, count, 2, out _);
+                var buffers = rig.State.ForceBuffers<GradientCorrectionBuffers>();
+                uint[] words = GpuTest.Read<uint>(buffers.Corrections, 4 * count);
+                for (int i = 0; i < count; i++) words[4 * i + 3] = words[4 * i + 3] & ~3u | (i % 3 == 0 ? 1u : 0u);
+                buffers.Corrections.SetData(words);
+                var pass = new StandardDensityPass(rig.Shaders);
+                GpuTest.Run(cmd => pass.Record(cmd, rig.State));
+                float[] densities = rig.Terms().Select(t => t.x).ToArray();
+                Vector4[] places = particles.Select((p, i) =>
+                    StandardStateRig.WithW(p.Position, densities[i] * (i % 2 == 0 ? 0.9f : 0.99f))).ToArray();
+                rig.State.Impact = new Vector2(0.5f, 0.02f * settings.RestDensity);
+                StandardStateRig.Fill(listed ? rig.State.Buffers.NewPositions : rig.State.Buffers.PositionTerms, places);
+                GpuTest.Run(cmd => { if (listed) pass.RecordListed(cmd, rig.State); else pass.Record(cmd, rig.State); });
+                uint[] after = GpuTest.Read<uint>(buffers.Corrections, 4 * count);
+                rig.FillList(particles, true);
+                buffers.Moments.SetData(Enumerable.Range(0, 6 * count).Select(k => k % 6 < 3 ? 0.8f : 0f).ToArray());
+                var inversion = new InvertMomentsPass(rig.Shaders);
+                GpuTest.Run(cmd => inversion.Record(cmd, rig.State));
+                uint[] inverted = GpuTest.Read<uint>(buffers.Corrections, 4 * count);
+                int hits = 0;
+                for (int i = 0; i < count; i++)
+                {
+                    bool isHit = i % 2 == 0 && i % 3 != 0 && densities[i] > 1.001f * settings.RestDensity;
+                    hits += isHit ? 1 : 0;
+                    if (!isHit && i % 2 == 0 && i % 3 != 0 && densities[i] > 0.999f * settings.RestDensity) continue; // on the border
+                    uint[] expected = words.Skip(4 * i).Take(4).ToArray();
+                    if (isHit) expected = new[] { 0u, 0u, 0u, expected[3] | 2u };
+                    Assert.That(after.Skip(4 * i).Take(4), Is.EqualTo(expected), $"{i}");
+                    Assert.That(inverted[4 * i] == 0u, Is.EqualTo(isHit), $"{i} after the sort");
+                }
+                Assert.That(hits, Is.GreaterThan(20));
+            }
+        }
+
         // By the pass that has all forces, and by that of liquids whose viscosity is implicit.
         [Test]
         public void ForcesAndOffsetsAreTheSumsOverAllPairs([Values(1, 63, 64, 65, 257)] int count,
