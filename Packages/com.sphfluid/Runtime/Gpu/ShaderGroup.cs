@@ -34,9 +34,15 @@ namespace SphFluid
             groupThreads: 256, buffers: 5, writableBuffers: 1, groupMemory: 4096, vertexBuffers: 0,
             "MeasureStatistics");
 
+        /// <summary>The gradient correction, a force of the method Standard, also where the force on walls is summed.</summary>
+        public static readonly ShaderGroup GradientCorrection = new ShaderGroup("the gradient correction",
+            "Shaders/Solver/Standard/GradientCorrection",
+            groupThreads: 64, buffers: 14, writableBuffers: 6, groupMemory: 6144, vertexBuffers: 0)
+        { Keyword = "FLUID_GRADIENT_CORRECTION" };
+
         /// <summary>The sums of what the liquid gives to its walls.</summary>
         public static readonly ShaderGroup WallForces = new ShaderGroup("the force on walls", "Shaders/Solver/WallForces",
-            groupThreads: 64, buffers: 14, writableBuffers: 6, groupMemory: 11520, vertexBuffers: 0,
+            groupThreads: 64, buffers: 13, writableBuffers: 6, groupMemory: 11520, vertexBuffers: 0,
             "PlaceWallPatches")
         { Keyword = "FLUID_WALL_FORCES" };
 

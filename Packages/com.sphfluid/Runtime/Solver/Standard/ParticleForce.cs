@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using UnityEngine.Rendering;
 
@@ -29,6 +30,9 @@ namespace SphFluid
 
         /// <summary>Whether it takes something along in the sort: its buffers are <see cref="ICarriedBuffers"/>.</summary>
         public virtual bool Carries => false;
+
+        /// <summary>What of it the present device cannot run, a sentence each with its cure.</summary>
+        public virtual IEnumerable<string> Shortfalls => Array.Empty<string>();
 
         /// <summary>Its constants by rule.</summary>
         /// <param name="input">The liquid.</param>

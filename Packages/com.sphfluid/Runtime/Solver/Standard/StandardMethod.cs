@@ -8,7 +8,7 @@ namespace SphFluid
     internal sealed class StandardMethod : FluidMethod
     {
         private static readonly ShaderGroup Group = new ShaderGroup("the Standard method", "Shaders/Solver/Standard",
-            groupThreads: 64, buffers: 12, writableBuffers: 5, groupMemory: 6144, vertexBuffers: 0,
+            groupThreads: 64, buffers: 11, writableBuffers: 4, groupMemory: 6144, vertexBuffers: 0,
             new[] { "StandardDensity", "MoveParticles", "KickParticles", "DiffuseVelocities",
                 "DriftParticles" }.Concat(StandardForces.Shaders).ToArray())
             .With(CellShaders.Group);
@@ -69,6 +69,10 @@ namespace SphFluid
         {
             StandardSettings own = settings.Own<StandardSettings>();
             foreach (ParticleForce force in StandardForces.All) force.Validate(own);
+            foreach (string shortfall in StandardForces.Acting(own).SelectMany(force => force.Shortfalls))
+            {
+                throw new ArgumentException(shortfall);
+            }
         }
 
         public override bool MayBePicked => true;

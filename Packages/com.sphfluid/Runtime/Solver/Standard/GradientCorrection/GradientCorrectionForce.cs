@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using UnityEngine;
 using UnityEngine.Rendering;
 
@@ -12,8 +13,6 @@ namespace SphFluid
     /// </summary>
     internal sealed class GradientCorrectionForce : ParticleForce
     {
-        private const string Keyword = "FLUID_GRADIENT_CORRECTION";
-
         // Over R c: of the density's diffusion; 0.3 is not stable.
         private const double Diffusion = 0.1;
 
@@ -39,6 +38,10 @@ namespace SphFluid
         public override int Walks => 0;
 
         public override IReadOnlyList<string> Shaders { get; } = new[] { "GradientMoments", "InvertMoments" };
+
+        public override IEnumerable<string> Shortfalls =>
+            ShaderGroup.GradientCorrection.Shortfalls(DeviceCapabilities.Query()).Select(shortfall => shortfall +
+            " Leave the profile's Gradient Correction off, or use another device.");
 
         public override IReadOnlyList<string> ProfileFields { get; } = new[] { "gradientCorrection" };
 
@@ -87,7 +90,7 @@ namespace SphFluid
         {
             var buffers = state.ForceBuffers<GradientCorrectionBuffers>();
             if (buffers != null) DomainBindings.SetPeriodicByLengths(cmd, kernel);
-            kernel.SetKeyword(cmd, Keyword, buffers != null);
+            kernel.SetKeyword(cmd, ShaderGroup.GradientCorrection.Keyword, buffers != null);
             return buffers;
         }
 
