@@ -25,6 +25,9 @@ namespace SphFluid
             this.missing = missing;
         }
 
+        /// <summary>Whether all has been read.</summary>
+        public bool IsAtEnd => place == bytes.Length;
+
         /// <summary>Reads a value.</summary>
         /// <exception cref="InvalidDataException">The section ends before it.</exception>
         public T Read<T>() where T : unmanaged => MemoryMarshal.Read<T>(ReadBytes(SizeOf<T>()));

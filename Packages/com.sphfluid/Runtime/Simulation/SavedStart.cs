@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
+using System.Linq;
 using UnityEngine;
 
 namespace SphFluid
@@ -48,6 +49,8 @@ namespace SphFluid
             writer.WriteItems<float>(origin);
             writer.Write(unit);
             writer.WriteItems<short>(steps);
+            float[] offsets = rested.Select(p => p.DensityOffset).ToArray();
+            if (Array.Exists(offsets, offset => offset != 0f)) writer.WriteItems<float>(offsets);
             return writer.Bytes.ToArray();
         }
 
@@ -64,11 +67,13 @@ namespace SphFluid
                 float unit = reader.Read<float>();
                 short[] steps = reader.ReadItems<short>();
                 if (steps.Length != 3 * sites.Count) return false;
+                float[] offsets = reader.IsAtEnd ? new float[sites.Count] : reader.ReadItems<float>();
+                if (offsets.Length != sites.Count) return false;
                 rested = new FluidParticle[sites.Count];
                 for (int i = 0; i < rested.Length; i++)
                 {
                     Vector3 way = unit * new Vector3(steps[3 * i], steps[3 * i + 1], steps[3 * i + 2]);
-                    rested[i] = new FluidParticle(sites[i].Position + way, sites[i].VelT0, sites[i].Id);
+                    rested[i] = new FluidParticle(sites[i].Position + way, sites[i].VelT0, sites[i].Id) { DensityOffset = offsets[i] };
                 }
                 return true;
             }

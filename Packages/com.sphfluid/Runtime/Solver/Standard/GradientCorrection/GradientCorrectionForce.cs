@@ -16,8 +16,8 @@ namespace SphFluid
         // Over R c: of the density's diffusion; 0.3 is not stable.
         private const double Diffusion = 0.1;
 
-        // Over c/R: rates at which an offset of the density fades, and one above what a surface cuts off.
-        private const double Fading = 0.0018, FastFading = 0.09;
+        // Over c/R: rate at which an offset of the density fades.
+        private const double Fading = 0.0018;
 
         // Over ρ0 c/R: rate of the pressure's work from which on the density takes it.
         private const double WorkRate = 0.005;
@@ -78,8 +78,7 @@ namespace SphFluid
             kernel.SetFloat(cmd, OffsetFactor, (float)(Diffusion * radius * sound * step.Length * factor));
             kernel.SetFloat(cmd, OffsetStep, step.Length);
             kernel.SetFloat(cmd, WorkThreshold, (float)(WorkRate * settings.RestDensity * sound / radius));
-            kernel.SetVector(cmd, OffsetFading,
-                new Vector2((float)Math.Min(1.0, Fading * crossings), (float)Math.Min(1.0, FastFading * crossings)));
+            kernel.SetFloat(cmd, OffsetFading, (float)Math.Min(1.0, Fading * crossings));
             kernel.SetFloat(cmd, SlopeToGradient, (float)(radius * factor));
             kernel.Set(cmd, state.List.Densities);
             kernel.SetOut(cmd, buffers.Corrections);

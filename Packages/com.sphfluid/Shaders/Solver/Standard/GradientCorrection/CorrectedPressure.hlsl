@@ -16,7 +16,7 @@ float3 _HydrostaticSlope;  // rho0 g / c^2, kg/m^4
 float _OffsetFactor;       // 0.1 R c dt m 210 / (pi R^5 rho0)
 float _OffsetStep;         // dt, s
 float _WorkThreshold;      // t, kg/(m^3 s)
-float2 _OffsetFading;      // what of an offset fades in a step, and of one above what a surface cuts off
+float _OffsetFading;       // what of an offset fades in a step; one above what a surface cuts off is cut at once
 float _SlopeToGradient;    // m 210 / (pi R^4 rho0): sums of slopes to R grad C
 
 struct CorrectedSums
@@ -71,7 +71,7 @@ void MoveOffset(uint id, CorrectedSums sums, float3 wallGradient)
     const float most = gradient > 0.15 ? 1.5 * _RestDensity * Deficit(gradient) : 0.0;
     const float filled = clamp(offset + max(0.999996 * _RestDensity - density, 0.0), 0.0, most); // as the mass: rounding is no pressure
     const float target = gradient > 0.3 ? filled : 0.0;
-    const float fading = offset > max(most, 0.01 * _RestDensity) ? _OffsetFading.y : _OffsetFading.x;
+    const float fading = offset > max(most, 0.01 * _RestDensity) ? 1.0 : _OffsetFading;
     const float work = -_SlopeFactor * sums.Work;
     const float kept = work * work / (work * work + _WorkThreshold * _WorkThreshold);
     const float change = _OffsetFactor * sums.Rate + _OffsetStep * kept * work;

@@ -48,7 +48,8 @@ namespace SphFluid.Tests
             using (var relaxer = new StartRelaxer(settings, shaders, start, null, RelaxedStart.Height(settings, start)))
             {
                 settled = relaxer.Run(RelaxedStart.Acceleration(settings));
-                return relaxer.Read().Select(p => new FluidParticle(p.Position, Vector3.zero, p.Id)).ToArray();
+                return relaxer.Read()
+                    .Select(p => new FluidParticle(p.Position, Vector3.zero, p.Id) { DensityOffset = p.DensityOffset }).ToArray();
             }
         }
 

@@ -85,10 +85,11 @@ namespace SphFluid.Tests
             double flat = Math.Min(gradient, 1.44), most = gradient > 0.15 ? 1.5 * rest * flat * (0.0488 + 0.0966 * flat) : 0.0;
             double filled = Math.Max(0.0, Math.Min(most, offset + Math.Max(0.0, 0.999996 * rest - density[i])));
             if (offset == 0.0) return filled;
-            double target = gradient > 0.3 ? filled : 0.0, fading = offset > Math.Max(most, 0.01 * rest) ? 0.09 : 0.0018;
+            double target = gradient > 0.3 ? filled : 0.0, fading = Math.Min(1.0, 0.0018 * step * sound / radius);
+            if (offset > Math.Max(most, 0.01 * rest)) fading = 1.0;
             double threshold = 0.005 * rest * sound / radius;
             rate += work * work * work / (work * work + threshold * threshold);
-            return offset + Math.Min(1.0, fading * step * sound / radius) * (target - offset) + step * rate;
+            return offset + fading * (target - offset) + step * rate;
         }
 
         /// <summary>A matrix times a vector.</summary>

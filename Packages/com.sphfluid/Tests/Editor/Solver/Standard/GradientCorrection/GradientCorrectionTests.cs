@@ -61,7 +61,7 @@ namespace SphFluid.Tests
                 GpuTest.Run(cmd => pass.Record(cmd, rig.State));
                 float[] densities = rig.Terms().Select(t => t.x).ToArray();
                 Vector4[] places = particles.Select((p, i) =>
-                    StandardStateRig.WithW(p.Position, densities[i] * (i % 2 == 0 ? 0.9f : 0.99f))).ToArray();
+                    StandardStateRig.WithW(p.Position, densities[i] - (i % 2 == 0 ? 0.1f : 0.01f) * settings.RestDensity)).ToArray();
                 rig.State.Impact = new Vector2(0.5f, 0.02f * settings.RestDensity);
                 StandardStateRig.Fill(listed ? rig.State.Buffers.NewPositions : rig.State.Buffers.PositionTerms, places);
                 GpuTest.Run(cmd => { if (listed) pass.RecordListed(cmd, rig.State); else pass.Record(cmd, rig.State); });
@@ -143,7 +143,7 @@ namespace SphFluid.Tests
             for (int i = 0; i < start.Length; i++)
             {
                 start[i].VelT0 = 0.4f * ParticleSets.RandomVector(random);
-                start[i].DensityOffset = 50f + i;
+                start[i].DensityOffset = 1f + 0.01f * i;
             }
             using (var rig = new StandardRig(settings, start))
             {
@@ -169,10 +169,10 @@ namespace SphFluid.Tests
             int AssertFaded(StandardRig rig, int steps)
             {
                 FluidParticle[] live = rig.Particles().Where(p => !p.IsRemoved && p.Id < start.Length).ToArray();
-                double fading = 0.09 * settings.TimeStep * settings.SoundSpeed / settings.SupportRadius;
+                double fading = 0.0018 * settings.TimeStep * settings.SoundSpeed / settings.SupportRadius;
                 foreach (FluidParticle particle in live)
                 {
-                    double expected = (50.0 + particle.Id) * Math.Pow(1.0 - fading, steps);
+                    double expected = (1.0 + 0.01 * particle.Id) * Math.Pow(1.0 - fading, steps);
                     Assert.That(particle.DensityOffset, Is.EqualTo(expected).Within(1e-4 * expected), $"{particle.Id} after {steps} steps");
                 }
                 return live.Length;
