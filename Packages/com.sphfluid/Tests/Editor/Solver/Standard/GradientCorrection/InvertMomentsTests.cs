@@ -47,8 +47,7 @@ namespace SphFluid.Tests
                 rig.State.List.Counts.SetData(new uint[count]);
                 double[][] moments = Moments(count, 7);
                 double[][] found = Invert(rig, moments);
-                for (int i = 0; i < count; i++)
-                    AssertClose(found[i], CorrectionReference.Correction(OverMoment(settings, moments[i])), i);
+                for (int i = 0; i < count; i++) AssertClose(found[i], CorrectionReference.Correction(OverMoment(settings, moments[i])), i);
             }
         }
 
