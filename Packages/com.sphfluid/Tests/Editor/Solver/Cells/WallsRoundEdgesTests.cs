@@ -84,7 +84,7 @@ namespace SphFluid.Tests
                 for (int frame = 0; frame < steps / 8; frame++) rig.Frame(8);
                 double speed = Math.Sqrt(rig.Particles().Average(p => (double)p.VelT0.sqrMagnitude));
                 TestContext.WriteLine($"{speed:f4} m/s after {steps} steps");
-                Assert.That(speed, Is.LessThan(0.026), "waves last: without the gradient correction it is 0.016");
+                Assert.That(speed, Is.LessThan(0.016));
             }
         }
     }
