@@ -35,7 +35,6 @@ namespace SphFluid
             kernel.SetFloat(cmd, LeastSeparation, 1e-3f * settings.SupportRadius);
             kernel.SetVector(cmd, Gravity, settings.Gravity);
             kernel.Set(cmd, state.Buffers.Velocities);
-            foreach (ParticleForce force in StandardForces.All) force.SetMotion(cmd, kernel, state, step);
         }
 
         /// <summary>Walls that push and hold, and the motion: MeshWalls.hlsl, WallFriction.hlsl, WallMotion.hlsl.</summary>

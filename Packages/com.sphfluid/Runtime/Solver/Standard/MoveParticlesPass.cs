@@ -18,6 +18,7 @@ namespace SphFluid
             using (Sample(cmd))
             {
                 MotionBindings.SetForces(cmd, kernel, state, step);
+                StandardForces.SetMotion(cmd, kernel, state, step);
                 MotionBindings.SetWalls(cmd, kernel, state, step);
                 MotionBindings.SetEnd(cmd, kernel, state, step);
                 WallForces.Set(cmd, kernel, state);

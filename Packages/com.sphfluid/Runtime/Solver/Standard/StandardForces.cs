@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using UnityEngine.Rendering;
 
 namespace SphFluid
 {
@@ -25,6 +26,12 @@ namespace SphFluid
 
         /// <summary>Those that act.</summary>
         public static IEnumerable<ParticleForce> Acting(StandardSettings settings) => All.Where(force => force.Acts(settings));
+
+        /// <summary>Records their parts in PairForces.hlsl.</summary>
+        public static void SetMotion(CommandBuffer cmd, ComputeKernel kernel, StandardState state, in FluidStep step)
+        {
+            foreach (ParticleForce force in All) force.SetMotion(cmd, kernel, state, step);
+        }
 
         /// <summary>Least speed of sound by which a liquid withstands them [m/s].</summary>
         public static double LeastSoundSpeed(in FluidRuleInput input, in StandardSettings settings)

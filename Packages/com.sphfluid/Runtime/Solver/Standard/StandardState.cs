@@ -62,9 +62,10 @@ namespace SphFluid
         /// <summary>
         /// Makes what forces that act take along in the sort, and drops what those that do not act took: it would be of another order.
         /// </summary>
-        public void RequireCarried()
+        /// <param name="all">All forces.</param>
+        public void RequireCarried(IReadOnlyList<ParticleForce> all)
         {
-            foreach (ParticleForce force in StandardForces.All)
+            foreach (ParticleForce force in all)
             {
                 if (!force.Carries) continue;
                 if (force.Acts(Own)) RequireForce(force);

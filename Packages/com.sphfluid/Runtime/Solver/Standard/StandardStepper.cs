@@ -41,7 +41,7 @@ namespace SphFluid
         /// <inheritdoc/>
         public override void RecordLoad(CommandBuffer cmd)
         {
-            state.RequireCarried();
+            state.RequireCarried(StandardForces.All);
             base.RecordLoad(cmd);
             isLoaded = false;
             lastStep = 0f;
@@ -57,7 +57,7 @@ namespace SphFluid
         public override void RecordNeighbourSetup(CommandBuffer cmd)
         {
             state.RequireList();
-            state.RequireCarried();
+            state.RequireCarried(StandardForces.All);
             bool isAnew = Order == ParticleOrder.Sorted; // the density before is gone
             state.Impact = lastStep > 0f && !isAnew ? StandardRules.Impact(state.Settings, lastStep) : Vector2.zero;
             if (Order == ParticleOrder.Counted)

@@ -253,7 +253,7 @@ namespace SphFluid.Tests
                 .Pack(Enumerable.Range(0, 6).Select(_ => random.NextDouble() - 0.5).ToArray()).Append(StandardStateRig.ToBits(offset)))
                 .ToArray();
             corrections = Enumerable.Range(0, count).Select(i => CorrectionReference.Unpack(words, 4 * i)).ToArray();
-            rig.State.RequireCarried();
+            rig.State.RequireCarried(StandardForces.All);
             rig.State.ForceBuffers<GradientCorrectionBuffers>().Corrections.SetData(words);
             return offsets;
         }

@@ -20,7 +20,7 @@ namespace SphFluid.Tests
             {
                 FluidParticle[] particles = rig.FillSorted(ParticleSets.Random(count, 0.95f * Domain, 0f, 4));
                 rig.FillList(particles, listed);
-                rig.State.RequireCarried();
+                rig.State.RequireCarried(StandardForces.All);
                 var pass = new GradientMomentsPass(rig.Shaders);
                 GpuTest.Run(cmd => pass.Record(cmd, rig.State));
                 float[] found = GpuTest.Read<float>(rig.State.ForceBuffers<GradientCorrectionBuffers>().Moments, 6 * count);
@@ -49,7 +49,7 @@ namespace SphFluid.Tests
                 WalledStateRig.SetWalls(rig, planes.Select((p, i) => StoredWall.Pack(particles[i].Position, false,
                     (float)(part * (1.0 - p.Aggregate(1.0, (open, plane) => open * (1.0 - Mirror(settings, plane.Distance))))), null,
                     (Vector3.up, (float)p[0].Distance), (Vector3.right, (float)p[1].Distance))).ToList());
-                rig.State.RequireCarried();
+                rig.State.RequireCarried(StandardForces.All);
                 var pass = new GradientMomentsPass(rig.Shaders);
                 GpuTest.Run(cmd => pass.Record(cmd, rig.State));
                 float[] found = GpuTest.Read<float>(rig.State.ForceBuffers<GradientCorrectionBuffers>().Moments, 6 * count);
@@ -79,7 +79,7 @@ namespace SphFluid.Tests
             {
                 FluidParticle[] particles = rig.FillSorted(all);
                 rig.FillList(particles, true);
-                rig.State.RequireCarried();
+                rig.State.RequireCarried(StandardForces.All);
                 var pass = new GradientMomentsPass(rig.Shaders);
                 GpuTest.Run(cmd => pass.Record(cmd, rig.State));
                 float[] found = GpuTest.Read<float>(rig.State.ForceBuffers<GradientCorrectionBuffers>().Moments, 6 * all.Length);

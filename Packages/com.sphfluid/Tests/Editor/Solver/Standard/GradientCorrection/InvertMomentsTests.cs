@@ -59,7 +59,7 @@ namespace SphFluid.Tests
             {
                 rig.FillSorted(ParticleSets.Random(1, Domain, 0f, 4));
                 rig.State.List.Counts.SetData(new uint[1]);
-                rig.State.RequireCarried();
+                rig.State.RequireCarried(StandardForces.All);
                 var buffers = rig.State.ForceBuffers<GradientCorrectionBuffers>();
                 buffers.Corrections.SetData(new[] { 9u, 9u, 9u, 7u });
                 Invert(rig, new[] { new double[6] });
@@ -97,7 +97,7 @@ namespace SphFluid.Tests
         private static double[][] Invert(StandardStateRig rig, IReadOnlyList<double[]> moments)
         {
             int count = moments.Count;
-            rig.State.RequireCarried();
+            rig.State.RequireCarried(StandardForces.All);
             var buffers = rig.State.ForceBuffers<GradientCorrectionBuffers>();
             buffers.Moments.SetData(moments.SelectMany(m => m.Select(x => (float)x)).ToArray());
             var pass = new InvertMomentsPass(rig.Shaders);
