@@ -73,7 +73,6 @@ WallMoments MomentsOfWalls(uint slot, float3 position)
         }
         const float solid = saturate(wall.Share / max(1.0 - open, 1e-6));
         walls.Full = Scaled(walls.Full, solid);
-        walls.Pushed = Scaled(walls.Pushed, solid);
         walls.Pushed = walls.Full; // see WallFade
     }
 #endif
