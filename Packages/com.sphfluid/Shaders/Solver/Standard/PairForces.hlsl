@@ -31,11 +31,11 @@ struct PairSums
 #endif
 };
 
-PairSums NoPairs(uint id)
+PairSums NoPairs(uint id, float3 position)
 {
     PairSums sums = (PairSums)0;
 #if defined(FLUID_GRADIENT_CORRECTION)
-    sums.Corrected = OwnCorrection(id);
+    sums.Corrected = OwnCorrection(id, position);
 #endif
     return sums;
 }
@@ -65,7 +65,7 @@ float AddNeighbour(inout PairSums sums, uint entry, float3 position, float3 velo
     sums.Drag += slope * relativeVelocity;
     sums.Weight += slope;
 #if defined(FLUID_GRADIENT_CORRECTION)
-    AddCorrected(sums.Corrected, j, pressure, place.w, slope, d, relativeVelocity);
+    AddCorrected(sums.Corrected, j, pressure, place.w, slope, d, distanceSquared, velocity, relativeVelocity);
 #endif
     return distanceSquared;
 }
@@ -82,7 +82,7 @@ void PartFromPlace(inout PairSums sums, uint id, uint entry, float3 position, fl
 // Two of the list in a turn: their loads do not wait for each other. An odd list ends with the particle itself.
 PairSums ListedNeighbours(uint id, uint count, float3 position, float3 velocity, float pressure)
 {
-    PairSums sums = NoPairs(id);
+    PairSums sums = NoPairs(id, position);
     float leastSquared = 1.0 / (_InverseSupport * _InverseSupport); // to the nearest
     float secondSquared = leastSquared; // of the turn before: the last may be the particle itself
     const uint begin = ListPlace(id, 0u);
@@ -123,9 +123,30 @@ PairSums NeighbourSums(uint id, float3 position, float3 velocity, float pressure
         }
     }
 #if defined(FLUID_GRADIENT_CORRECTION)
+    AddImages(sums.Corrected, sums.Corrected.Own, pressure, pressure, float3(0.0, 0.0, 0.0), 0.0, velocity, velocity);
     sums.Push += sums.Corrected.Push;
 #endif
     return sums;
+}
+
+// What the faces add to the gradient of the density, 1/m, where they are no mirrors.
+float3 FaceGradient(float3 position)
+{
+#if defined(FLUID_GRADIENT_CORRECTION)
+    return float3(0.0, 0.0, 0.0);
+#else
+    return DomainWalls(position).Gradient;
+#endif
+}
+
+// The push of the images square to the faces, without the factor.
+float3 PushOfFaces(PairSums sums)
+{
+#if defined(FLUID_GRADIENT_CORRECTION)
+    return sums.Corrected.FromFaces;
+#else
+    return float3(0.0, 0.0, 0.0);
+#endif
 }
 
 // The end of the pairs' work, when it is known by how much walls change the density, 1/m.

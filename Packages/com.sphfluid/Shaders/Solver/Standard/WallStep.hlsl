@@ -16,6 +16,7 @@ struct WallStep
 {
     float3 Kicked;  // the velocity, m/s
     float FacePush; // on the faces of the domain: what their -L' is multiplied by, m^2/s
+    float3 FaceKick; // what images in the faces did to the velocity along their normals, m/s
 #if defined(FLUID_FLOATING_BODIES)
     BodyShares Given;
 #endif
@@ -162,7 +163,10 @@ void EndStep(uint id, float number, float3 position, WallStep step)
     const Motion motion = Leapfrog(position, step.Kicked);
 #if defined(FLUID_WALL_FORCES)
     const float3 cut = motion.Velocity - step.Kicked;
-    GiveFaces(position, step.FacePush, IsFinite(cut) ? cut : float3(0.0, 0.0, 0.0));
+#if defined(FLUID_GRADIENT_CORRECTION)
+    step.FacePush = 0.0;
+#endif
+    GiveFaces(position, step.FacePush, step.FaceKick + (IsFinite(cut) ? cut : float3(0.0, 0.0, 0.0)));
 #endif
     _NewVelocitiesOut[id] = float4(motion.Velocity, number);
 #if defined(FLUID_MESH_WALLS)

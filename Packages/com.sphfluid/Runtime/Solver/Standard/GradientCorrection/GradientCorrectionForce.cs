@@ -20,7 +20,7 @@ namespace SphFluid
         private const double Fading = 0.0018;
 
         // Over ρ0 c/R: rate of the pressure's work from which on the density takes it.
-        private const double WorkRate = 0.005;
+        private const double WorkRate = 0.0015;
 
         private static readonly int HydrostaticSlope = Shader.PropertyToID("_HydrostaticSlope");
         private static readonly int OffsetFactor = Shader.PropertyToID("_OffsetFactor");

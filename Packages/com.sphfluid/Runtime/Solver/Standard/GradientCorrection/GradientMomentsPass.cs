@@ -6,6 +6,7 @@ namespace SphFluid
     internal sealed class GradientMomentsPass : ComputePass
     {
         private static readonly int MomentFactor = Id("_MomentFactor");
+        private static readonly int RestDensity = Id("_RestDensity");
 
         private readonly ComputeKernel kernel;
 
@@ -21,6 +22,8 @@ namespace SphFluid
             {
                 PairBindings.Set(cmd, kernel, state);
                 kernel.SetFloat(cmd, MomentFactor, (float)GradientCorrectionForce.SlopeFactor(state.Settings));
+                kernel.SetFloat(cmd, RestDensity, state.Settings.RestDensity);
+                kernel.Set(cmd, state.List.Densities);
                 kernel.SetOut(cmd, state.ForceBuffers<GradientCorrectionBuffers>().Moments);
                 kernel.DispatchThreads(cmd, state.ParticleCount);
             }

@@ -5,8 +5,9 @@
 // fills what a surface cuts off the sum, evens out its noise by diffusion (after Antuono et al. 2012), takes what the corrected pressure
 // works, q, and fades inside:
 //   do_i/dt = 0.1 R c sum_j (m/rho0) (-W'/r) (rho_j - rho_i - (rho0/c^2) g.(x_j - x_i)) + q q^2/(q^2 + t^2) + ...
-//   q = (m/M) sum_j ((B_i - 1) grad W).(v_i - v_j),  t = 0.005 rho0 c/R: calm liquid is left alone.
-// Made for the pass that goes through the pairs anyway.
+//   q = (m/M) sum_j ((B_i - 1) grad W).(v_i - v_j),  t = 0.0015 rho0 c/R: calm liquid is left alone.
+// And the push of the images in the faces, whole. Made for the pass that goes through the pairs anyway.
+#include "FaceImages.hlsl"
 #include "SymmetricMatrix.hlsl"
 #include "OffsetBits.hlsl"
 
@@ -19,11 +20,15 @@ float _WorkThreshold;      // t, kg/(m^3 s)
 float _OffsetFading;       // what of an offset fades in a step; one above what a surface cuts off is cut at once
 float _SlopeToGradient;    // m 210 / (pi R^4 rho0): sums of slopes to R grad C
 
+#define LEAST_OFFSET 1e-6 // over rho0, of one that is known
+
 struct CorrectedSums
 {
+    FaceImages Images;
     SymmetricMatrix Own; // B - 1 of the particle itself
     float Density;       // its density, no less than rho0
     float3 Push;         // without the factor, as the rest
+    float3 FromFaces;    // what of it is square to the faces of images
     float3 Slope;
     float Rate;          // of the offset, by diffusion
     float Work;          // sum of the slopes times (B_i - 1) d . v
@@ -34,24 +39,49 @@ float DensityNoLessThanRest(uint id)
     return max(asfloat(_Neighbours[_DensitiesBegin + id]), _RestDensity);
 }
 
-CorrectedSums OwnCorrection(uint id)
+CorrectedSums OwnCorrection(uint id, float3 position)
 {
     CorrectedSums sums = (CorrectedSums)0;
+    sums.Images = ImagesAt(WallSlot(id), position);
     sums.Own = UnpackMatrix(_CorrectionsOut[id].xyz);
     sums.Density = DensityNoLessThanRest(id);
     return sums;
 }
 
-// pressure: P of the particle itself; otherPressure: of the neighbour.
-void AddCorrected(inout CorrectedSums sums, uint other, float pressure, float otherPressure, float slope, float3 d, float3 relativeVelocity)
+// Of the images of a neighbour, or of the particle's own. correction: B - 1 of what is mirrored.
+void AddImages(inout CorrectedSums sums, SymmetricMatrix correction, float pressure, float otherPressure, float3 d, float distanceSquared,
+    float3 velocity, float3 otherVelocity)
 {
+    FOR_EACH_IMAGE(sums.Images, set)
+    {
+        const FaceImage image = ImageOf(sums.Images, set, d, distanceSquared);
+        const float3 slope = WendlandSlope(image.DistanceSquared) * image.Separation;
+        const float3 own = Times(sums.Own, slope);
+        const float3 push = pressure * (slope + own) + otherPressure * (slope + Times(Mirrored(correction, image.Mirror), slope));
+        sums.Push += push;
+        sums.FromFaces += image.Mirror < 0.0 ? push : float3(0.0, 0.0, 0.0);
+        sums.Slope += slope;
+        sums.Work += dot(own, velocity - image.Mirror * otherVelocity);
+    }
+}
+
+// pressure: P of the particle itself; otherPressure: of the neighbour.
+void AddCorrected(inout CorrectedSums sums, uint other, float pressure, float otherPressure, float slope, float3 d, float distanceSquared,
+    float3 velocity, float3 relativeVelocity)
+{
+    const SymmetricMatrix correction = UnpackMatrix(_CorrectionsOut[other].xyz);
     const float3 own = Times(sums.Own, d);
     const float density = DensityNoLessThanRest(other);
     const bool isPressed = min(density, sums.Density) > _RestDensity; // else it may fall
-    sums.Push += slope * (pressure * own + otherPressure * Times(UnpackMatrix(_CorrectionsOut[other].xyz), d));
+    sums.Push += slope * (pressure * own + otherPressure * Times(correction, d));
     sums.Slope += slope * d;
     sums.Rate += slope * (density - sums.Density + (isPressed ? dot(_HydrostaticSlope, d) : 0.0));
     sums.Work += slope * dot(own, relativeVelocity);
+    [branch]
+    if (distanceSquared > 0.0) // an odd list ends with the particle itself
+    {
+        AddImages(sums, correction, pressure, otherPressure, d, distanceSquared, velocity, velocity - relativeVelocity);
+    }
 }
 
 // What the summed density lacks at a flat surface, over rho0, by R |grad C|: within 5 % of a lattice's, kappa = 2.25, whose topmost layer
@@ -62,7 +92,7 @@ float Deficit(float gradient)
     return flat * (0.0488 + 0.0966 * flat);
 }
 
-// wallGradient: of what walls add to the density, 1/m. After all neighbours.
+// wallGradient: of what walls without images add to the density, 1/m. After all neighbours.
 void MoveOffset(uint id, CorrectedSums sums, float3 wallGradient)
 {
     const float density = asfloat(_Neighbours[_DensitiesBegin + id]);
@@ -76,7 +106,7 @@ void MoveOffset(uint id, CorrectedSums sums, float3 wallGradient)
     const float kept = work * work / (work * work + _WorkThreshold * _WorkThreshold);
     const float change = _OffsetFactor * sums.Rate + _OffsetStep * kept * work;
     const bool starts = offset == 0.0;
-    const float next = starts ? filled : offset + fading * (target - offset) + change;
+    const float next = starts ? max(filled, LEAST_OFFSET * _RestDensity) : offset + fading * (target - offset) + change;
     const uint bits = asuint(abs(next) < _RestDensity ? next : 0.0); // what is not a number is not known
     _CorrectionsOut[id].w = (bits & ~(OFFSET_STARTS | OFFSET_HIT)) | (starts && bits != 0u ? OFFSET_STARTS : 0u);
 }

@@ -1,16 +1,9 @@
 #ifndef SPHFLUID_CORRECTION_WALLS
 #define SPHFLUID_CORRECTION_WALLS
 
-// What walls have to do with the correction. The mirror layers behind a wall make the moments of the liquid before it whole, but a wall
-// pushes along its normal only: the moments of its layers across are a pressure that nobody exerts, for which the correction has to make
-// up. A kernel that includes this file includes MeshWalls.hlsl before it.
+// What triangles have to do with the correction. The mirror layers behind their planes make the moments of the liquid before them whole;
+// the planes tell too little of the layers for more. A kernel that includes this file includes MeshWalls.hlsl before it.
 #include "SymmetricMatrix.hlsl"
-
-struct WallMoments
-{
-    SymmetricMatrix Full;   // of all layers
-    SymmetricMatrix Pushed; // what of it acts
-};
 
 // Of a plane at a distance d, the second moments of its mirror layers along the normal, x, and across, y, which is their density:
 //   (1/kappa) sum_l 21 z^2 (1-z)^4 (4z+1) and MirrorProfile.
@@ -26,39 +19,20 @@ float2 MirrorMoment(float d)
     return float2(21.0 * along / _SupportRatio, MirrorProfile(d).x);
 }
 
-// One wall more, F_k = N n n + L (1 - n n), P_k = N n n: walls see each other's layers once,
-//   F = F + F_k - sym(F F_k),  P = sym(P (1 - F_k)) + sym(P_k (1 - F)).
-void AddWall(inout WallMoments walls, float3 n, float distance)
+// One plane more, F_k = N n n + L (1 - n n): planes see each other's layers once, F = F + F_k - sym(F F_k).
+void AddPlane(inout SymmetricMatrix layers, float3 n, float distance)
 {
-    const float2 layers = MirrorMoment(distance);
-    const SymmetricMatrix full = walls.Full;
-    const float3 fullAlong = Times(full, n);
-    const float3 pushedAlong = Times(walls.Pushed, n);
-    const float across = layers.y;
-    const float more = layers.x - layers.y;
-    AddScaled(walls.Pushed, walls.Pushed, -across);
-    AddProduct(walls.Pushed, n, layers.x * (n - fullAlong) - more * pushedAlong);
-    AddScaled(walls.Full, full, -across);
-    walls.Full.Diagonal += across;
-    AddProduct(walls.Full, n, more * (n - fullAlong));
+    const float2 own = MirrorMoment(distance);
+    const float3 along = Times(layers, n);
+    AddScaled(layers, layers, -own.y);
+    layers.Diagonal += own.y;
+    AddProduct(layers, n, (own.x - own.y) * (n - along));
 }
 
-// Those of the domain or, near triangles, the planes that the particle sees, as far as they are there: of an edge less than the planes.
-WallMoments MomentsOfWalls(uint slot, float3 position)
+// Of the planes that a particle near triangles sees, as far as they are there: of an edge less than the planes.
+SymmetricMatrix MomentOfPlanes(uint slot, float3 position)
 {
-    WallMoments walls = (WallMoments)0;
-    [loop]
-    for (uint face = 0u; face < (slot == 0u ? 6u : 0u); face++)
-    {
-        const uint axis = face >> 1u;
-        const float3 n = float3(axis == 0u ? 1.0 : 0.0, axis == 1u ? 1.0 : 0.0, axis == 2u ? 1.0 : 0.0);
-        const float distance = dot(n, (face & 1u) != 0u ? _WallsHigh - position : position - _WallsLow);
-        [branch]
-        if (2.0 * distance * _InverseSupport < 1.0)
-        {
-            AddWall(walls, n, distance);
-        }
-    }
+    SymmetricMatrix layers = (SymmetricMatrix)0;
 #if defined(FLUID_MESH_WALLS)
     [branch]
     if (slot != 0u)
@@ -68,18 +42,16 @@ WallMoments MomentsOfWalls(uint slot, float3 position)
         [unroll]
         for (uint k = 0u; k < uint(WALL_PLANES); k++)
         {
-            AddWall(walls, wall.Planes[k].xyz, wall.Planes[k].w);
+            AddPlane(layers, wall.Planes[k].xyz, wall.Planes[k].w);
             open *= 1.0 - MirrorProfile(wall.Planes[k].w).x;
         }
-        const float solid = saturate(wall.Share / max(1.0 - open, 1e-6));
-        walls.Full = Scaled(walls.Full, solid);
-        walls.Pushed = walls.Full; // see WallFade
+        layers = Scaled(layers, saturate(wall.Share / max(1.0 - open, 1e-6)));
     }
 #endif
-    return walls;
+    return layers;
 }
 
-// How much of the correction acts: before triangles, whose planes tell too little of their layers, none within R/2 and all beyond R.
+// How much of the correction acts: before triangles none within R/2 and all beyond R.
 float WallFade(uint slot, float3 position)
 {
     float nearest = 1.0 / _InverseSupport;

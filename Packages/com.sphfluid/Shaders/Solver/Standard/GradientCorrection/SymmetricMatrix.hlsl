@@ -32,6 +32,13 @@ float3 Times(SymmetricMatrix a, float3 v)
     return a.Diagonal * v + a.Shear.zxy * v.yzx + a.Shear.yzx * v.zxy;
 }
 
+// In a mirror: -1 along each axis that is mirrored, else 1.
+SymmetricMatrix Mirrored(SymmetricMatrix a, float3 mirror)
+{
+    a.Shear *= mirror.yzx * mirror.zxy;
+    return a;
+}
+
 // As six half floats.
 uint3 PackMatrix(SymmetricMatrix a)
 {
