@@ -19,22 +19,70 @@ namespace SphFluid.Tests
                     .Select(j => (j, ThesisReference.Separation(particles[i], particles[j], settings.PeriodLength)))
                     .Where(pair => pair.Item2.Length < settings.SupportRadius);
 
-        /// <summary>Σ (m/ρ0)(−W'/r) d dᵀ and the walls' layers.</summary>
-        public static double[] Moment(in FluidSolverSettings settings, IReadOnlyList<FluidParticle> particles, int i)
+        /// <summary>
+        /// Neighbours within R, and the images of all particles in the walls of the domain, its edges and corners; the separations from
+        /// them, and −1 along each axis that is mirrored.
+        /// </summary>
+        public static IEnumerable<(int Other, Double3 Separation, Double3 Mirror)> Around(FluidSolverSettings settings,
+            IReadOnlyList<FluidParticle> particles, int i)
         {
-            double radius = settings.SupportRadius, volume = settings.ParticleMass / (double)settings.RestDensity;
+            foreach ((int other, Double3 separation) in Near(settings, particles, i)) yield return (other, separation, new Double3(1, 1, 1));
+            for (int set = 1; set < 27; set++)
+            {
+                int[] sides = { set % 3, set / 3 % 3, set / 9 }; // of each axis: no image, in the low face, in the high one
+                if (!Enumerable.Range(0, 3).All(axis => sides[axis] == 0 || IsWall(settings, axis, sides[axis] == 2))) continue;
+                for (int j = 0; j < particles.Count; j++)
+                {
+                    FluidParticle image = particles[j];
+                    for (int axis = 0; axis < 3; axis++)
+                        if (sides[axis] > 0)
+                            image.Position[axis] = (sides[axis] == 2 ? 1f : -1f) * settings.DomainSize[axis] - image.Position[axis];
+                    Double3 separation = ThesisReference.Separation(particles[i], image, settings.PeriodLength);
+                    if (separation.Length >= settings.SupportRadius) continue;
+                    yield return (j, separation, new Double3(sides[0] > 0 ? -1 : 1, sides[1] > 0 ? -1 : 1, sides[2] > 0 ? -1 : 1));
+                }
+            }
+        }
+
+        /// <summary>The density of particles among their images.</summary>
+        public static double Density(in FluidSolverSettings settings, IReadOnlyList<FluidParticle> particles, int i)
+        {
+            double sum = StandardReference.Kernel(0.0, settings.SupportRadius);
+            foreach ((int _, Double3 d, Double3 _) in Around(settings, particles, i))
+                sum += StandardReference.Kernel(d.Length, settings.SupportRadius);
+            return settings.RestDensity +
+                (settings.ParticleMass * sum - settings.RestDensity) / StandardReference.Response(settings);
+        }
+
+        /// <summary>Σ (m/ρ_i)(−W'/r) d dᵀ.</summary>
+        public static double[] Moment(in FluidSolverSettings settings, IReadOnlyList<FluidParticle> particles, double density, int i)
+        {
+            double radius = settings.SupportRadius, volume = settings.ParticleMass / Math.Max(density, settings.RestDensity);
             var moment = new double[6];
-            foreach ((int _, Double3 d) in Near(settings, particles, i))
+            foreach ((int _, Double3 d, Double3 _) in Around(settings, particles, i))
             {
                 AddProduct(moment, -volume * StandardReference.Slope(d.Length, radius) / d.Length, d);
             }
-            double[,] full = Walls(settings, particles[i].Position, out _);
-            for (int k = 0; k < 3; k++)
-            {
-                moment[k] += full[k, k];
-                moment[k + 3] += full[(k + 1) % 3, (k + 2) % 3];
-            }
             return moment;
+        }
+
+        /// <summary>The acceleration by the pressure terms of particles and images, corrections included [m/s²].</summary>
+        public static Double3 Acceleration(FluidSolverSettings settings, IReadOnlyList<FluidParticle> particles, double[] density,
+            double[][] corrections, int i)
+        {
+            double c2 = settings.SoundSpeed * (double)settings.SoundSpeed;
+            double Term(int k) => Math.Max(0.0, c2 * (density[k] - settings.RestDensity)) / (density[k] * density[k]);
+            FluidSolverSettings open = settings; // no wall but the images
+            open.Boundaries.Open = FluidFaces.All & ~FluidBoundaries.FacesOf(settings.Boundaries.Periodic);
+            Double3 sum = StandardReference.Acceleration(particles, density, i, open);
+            foreach ((int j, Double3 d, Double3 mirror) in Around(settings, particles, i))
+            {
+                double slope = settings.ParticleMass * StandardReference.Slope(d.Length, settings.SupportRadius) / d.Length /
+                    StandardReference.Response(settings);
+                sum -= slope * (Term(i) * Times(corrections[i], d) + Term(j) * Times(Mirrored(corrections[j], mirror), d));
+                if (mirror.X + mirror.Y + mirror.Z < 3.0) sum -= slope * (Term(i) + Term(j)) * d;
+            }
+            return sum;
         }
 
         /// <summary>A regularised inverse of a moment over M, less the identity, by Jacobi's rotations.</summary>
@@ -47,20 +95,19 @@ namespace SphFluid.Tests
             return correction;
         }
 
-        /// <summary>Shepard's mean of moments about a particle and itself, less what of the walls' layers nobody exerts.</summary>
+        /// <summary>Shepard's mean of moments about a particle, itself included.</summary>
         public static double[] Mean(in FluidSolverSettings settings, IReadOnlyList<FluidParticle> particles, double[][] moments, int i)
         {
             double weight = StandardReference.Kernel(0.0, settings.SupportRadius);
             double[] sum = moments[i].Select(m => weight * m).ToArray();
-            foreach ((int j, Double3 d) in Near(settings, particles, i))
+            foreach ((int j, Double3 d, Double3 mirror) in Around(settings, particles, i))
             {
                 double w = StandardReference.Kernel(d.Length, settings.SupportRadius);
+                double[] moment = Mirrored(moments[j], mirror);
                 weight += w;
-                for (int k = 0; k < 6; k++) sum[k] += w * moments[j][k];
+                for (int k = 0; k < 6; k++) sum[k] += w * moment[k];
             }
-            double[,] full = Walls(settings, particles[i].Position, out double[,] pushed);
-            return sum.Select((s, k) => s / weight - (k < 3 ? full[k, k] - pushed[k, k]
-                : full[(k + 1) % 3, (k + 2) % 3] - pushed[(k + 1) % 3, (k + 2) % 3])).ToArray();
+            return sum.Select(s => s / weight).ToArray();
         }
 
         /// <summary>The offset of a density behind a step [kg/m³].</summary>
@@ -69,13 +116,18 @@ namespace SphFluid.Tests
         {
             double rest = settings.RestDensity, radius = settings.SupportRadius, sound = settings.SoundSpeed;
             double volume = settings.ParticleMass / rest, rate = 0.0, work = 0.0;
-            Double3 slopes = WallGradient(settings, particles[i].Position);
-            foreach ((int j, Double3 d) in Near(settings, particles, i))
+            Double3 slopes = Double3.Zero;
+            foreach ((int j, Double3 d, Double3 mirror) in Around(settings, particles, i))
             {
                 Double3 slope = volume * StandardReference.Slope(d.Length, radius) / d.Length * d;
                 slopes += slope;
-                Double3 velocity = (Double3)particles[i].VelT0 - particles[j].VelT0;
-                work += rest / StandardReference.Response(settings) * Double3.Dot(Times(correction, slope), velocity);
+                var seen = (Double3)particles[j].VelT0;
+                var image = new Double3(mirror.X * seen.X, mirror.Y * seen.Y, mirror.Z * seen.Z);
+                work += rest / StandardReference.Response(settings) *
+                    Double3.Dot(Times(correction, slope), (Double3)particles[i].VelT0 - image);
+            }
+            foreach ((int j, Double3 d) in Near(settings, particles, i))
+            {
                 bool isPressed = density[i] > rest && density[j] > rest;
                 double column = isPressed ? rest / (sound * sound) * Double3.Dot(settings.Gravity, -d) : 0.0;
                 double difference = Math.Max(density[j], rest) - Math.Max(density[i], rest) - column;
@@ -84,10 +136,10 @@ namespace SphFluid.Tests
             double gradient = radius * slopes.Length;
             double flat = Math.Min(gradient, 1.44), most = gradient > 0.15 ? 1.5 * rest * flat * (0.0488 + 0.0966 * flat) : 0.0;
             double filled = Math.Max(0.0, Math.Min(most, offset + Math.Max(0.0, 0.999996 * rest - density[i])));
-            if (offset == 0.0) return filled;
+            if (offset == 0.0) return Math.Max(filled, 1e-6 * rest);
             double target = gradient > 0.3 ? filled : 0.0, fading = Math.Min(1.0, 0.0018 * step * sound / radius);
             if (offset > Math.Max(most, 0.01 * rest)) fading = 1.0;
-            double threshold = 0.005 * rest * sound / radius;
+            double threshold = 0.0015 * rest * sound / radius;
             rate += work * work * work / (work * work + threshold * threshold);
             return offset + fading * (target - offset) + step * rate;
         }
@@ -114,19 +166,6 @@ namespace SphFluid.Tests
             }
         }
 
-        private static Double3 WallGradient(in FluidSolverSettings settings, Double3 p)
-        {
-            double step = 1e-4 * settings.Spacing;
-            var gradient = new double[3];
-            for (int axis = 0; axis < 3; axis++)
-            {
-                var along = new Double3(axis == 0 ? step : 0.0, axis == 1 ? step : 0.0, axis == 2 ? step : 0.0);
-                gradient[axis] = (StandardReference.Walls(p + along, settings) - StandardReference.Walls(p - along, settings)) /
-                    (2.0 * step);
-            }
-            return new Double3(gradient[0], gradient[1], gradient[2]);
-        }
-
         private static double[] Eigenvalues(double[] m, out Double3[] axes)
         {
             double[,] a = { { m[0], m[5], m[4] }, { m[5], m[1], m[3] }, { m[4], m[3], m[2] } };
@@ -144,22 +183,16 @@ namespace SphFluid.Tests
             return new[] { a[0, 0], a[1, 1], a[2, 2] };
         }
 
-        private static double[,] Walls(FluidSolverSettings settings, Double3 p, out double[,] pushed)
-        {
-            Double3 half = 0.5f * settings.DomainSize;
-            return Layers(settings, Enumerable.Range(0, 3).Where(axis => settings.PeriodLength[axis] == 0f)
-                .SelectMany(axis => new[] { (axis, half[axis] + p[axis]), (axis, half[axis] - p[axis]) }), out pushed);
-        }
+        private static double[] Mirrored(double[] m, Double3 mirror) => new[]
+            { m[0], m[1], m[2], mirror.Y * mirror.Z * m[3], mirror.Z * mirror.X * m[4], mirror.X * mirror.Y * m[5] };
 
-        /// <summary>
-        /// Layers behind planes square to an axis, at a distance: F = F + F_k − sym(F F_k), and what of them acts,
-        /// P = sym(P (1 − F_k)) + sym(P_k (1 − F)).
-        /// </summary>
-        public static double[,] Layers(in FluidSolverSettings settings, IEnumerable<(int Axis, double Distance)> planes,
-            out double[,] pushed)
+        private static bool IsWall(in FluidSolverSettings settings, int axis, bool isHigh) => settings.PeriodLength[axis] == 0f &&
+            ((int)settings.Boundaries.Open >> 2 * axis & (isHigh ? 2 : 1)) == 0;
+
+        /// <summary>Layers behind planes square to an axis, at a distance: F = F + F_k − sym(F F_k).</summary>
+        public static double[,] Layers(in FluidSolverSettings settings, IEnumerable<(int Axis, double Distance)> planes)
         {
             var full = new double[3, 3];
-            pushed = new double[3, 3];
             foreach ((int axis, double distance) in planes)
             {
                 var own = new double[3, 3];
@@ -168,9 +201,6 @@ namespace SphFluid.Tests
                     double z = 2.0 * distance + layer * settings.Spacing;
                     for (int k = 0; k < 3; k++) own[k, k] += settings.Spacing * LayerMoment(z, settings.SupportRadius, k == axis);
                 }
-                var acts = new double[3, 3];
-                acts[axis, axis] = own[axis, axis];
-                pushed = Sum(Sum(pushed, Product(pushed, own), -1.0), Sum(acts, Product(acts, full), -1.0), 1.0);
                 full = Sum(Sum(full, own, 1.0), Product(full, own), -1.0);
             }
             return full;

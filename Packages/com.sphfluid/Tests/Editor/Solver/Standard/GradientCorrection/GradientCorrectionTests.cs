@@ -33,7 +33,7 @@ namespace SphFluid.Tests
                 Vector2[] terms = rig.Terms();
                 for (int i = 0; i < count; i++)
                 {
-                    double density = StandardReference.Density(particles, i, settings) + offsets[i];
+                    double density = CorrectionReference.Density(settings, particles, i) + offsets[i];
                     double error = 2e-5 * Math.Max(settings.RestDensity, density);
                     Assert.That(terms[i].x, Is.EqualTo(density).Within(error), $"density of {i}");
                     double pressure = settings.SoundSpeed * (double)settings.SoundSpeed * Math.Max(density - settings.RestDensity, 0.0);
@@ -111,14 +111,7 @@ namespace SphFluid.Tests
                 var expected = new Double3[count];
                 for (int i = 0; i < count; i++)
                 {
-                    expected[i] = StandardReference.Acceleration(start, density, i, settings);
-                    foreach ((int j, Double3 d) in CorrectionReference.Near(settings, start, i))
-                    {
-                        double slope = settings.ParticleMass * StandardReference.Slope(d.Length, settings.SupportRadius) / d.Length;
-                        expected[i] -= slope / StandardReference.Response(settings) *
-                            (Term(i) * CorrectionReference.Times(corrections[i], d) +
-                            Term(j) * CorrectionReference.Times(corrections[j], d));
-                    }
+                    expected[i] = CorrectionReference.Acceleration(settings, start, density, corrections, i);
                     largest = Math.Max(largest, expected[i].Length);
                 }
                 for (int i = 0; i < count; i++)

@@ -12,7 +12,7 @@ namespace SphFluid.Tests
         private static readonly Vector3 Domain = new Vector3(0.4f, 0.5f, 0.35f);
 
         [Test]
-        public void MomentsAreTheSumsOverAllPairsAndWalls([Values(1, 63, 64, 65, 257)] int count,
+        public void MomentsAreTheSumsOverAllPairsAndImages([Values(1, 63, 64, 65, 257)] int count,
             [Values(FluidAxes.None, FluidAxes.All)] FluidAxes periodic, [Values] bool listed)
         {
             FluidSolverSettings settings = CorrectionReference.Corrected(StandardStateRig.Water(Domain, Spacing, periodic));
@@ -20,13 +20,16 @@ namespace SphFluid.Tests
             {
                 FluidParticle[] particles = rig.FillSorted(ParticleSets.Random(count, 0.95f * Domain, 0f, 4));
                 rig.FillList(particles, listed);
+                var random = new System.Random(8);
+                float[] densities = particles.Select(_ => settings.RestDensity * (0.9f + 0.25f * (float)random.NextDouble())).ToArray();
+                rig.SetTerms(densities.Select(density => new Vector2(density, 0f)).ToArray());
                 rig.State.RequireCarried(StandardForces.All);
                 var pass = new GradientMomentsPass(rig.Shaders);
                 GpuTest.Run(cmd => pass.Record(cmd, rig.State));
                 float[] found = GpuTest.Read<float>(rig.State.ForceBuffers<GradientCorrectionBuffers>().Moments, 6 * count);
                 for (int i = 0; i < count; i++)
                 {
-                    double[] expected = CorrectionReference.Moment(settings, particles, i);
+                    double[] expected = CorrectionReference.Moment(settings, particles, densities[i], i);
                     double error = 3e-5 * (0.1 + expected.Take(3).Sum());
                     for (int k = 0; k < 6; k++) Assert.That(found[6 * i + k], Is.EqualTo(expected[k]).Within(error), $"{k} of {i}");
                 }
@@ -44,6 +47,7 @@ namespace SphFluid.Tests
             {
                 FluidParticle[] particles = rig.FillSorted(ParticleSets.Random(count, 0.5f * Domain, 0f, 4));
                 rig.State.List.Counts.SetData(new uint[count]);
+                rig.SetTerms(Enumerable.Repeat(new Vector2(settings.RestDensity, 0f), count).ToArray());
                 var planes = Enumerable.Range(0, count).Select(i => new (int Axis, double Distance)[]
                     { (1, 0.02 * i * Spacing), (0, i % 2 == 0 ? 1.0 : (1.3 - 0.02 * i) * Spacing) }).ToArray();
                 WalledStateRig.SetWalls(rig, planes.Select((p, i) => StoredWall.Pack(particles[i].Position, false,
@@ -55,7 +59,7 @@ namespace SphFluid.Tests
                 float[] found = GpuTest.Read<float>(rig.State.ForceBuffers<GradientCorrectionBuffers>().Moments, 6 * count);
                 for (int i = 0; i < count; i++)
                 {
-                    double[,] full = CorrectionReference.Layers(settings, planes[i], out _);
+                    double[,] full = CorrectionReference.Layers(settings, planes[i]);
                     double share = planes[i].Max(plane => Mirror(settings, plane.Distance));
                     for (int k = 0; k < 3; k++)
                     {
@@ -79,6 +83,7 @@ namespace SphFluid.Tests
             {
                 FluidParticle[] particles = rig.FillSorted(all);
                 rig.FillList(particles, true);
+                rig.SetTerms(Enumerable.Repeat(new Vector2(settings.RestDensity, 0f), all.Length).ToArray());
                 rig.State.RequireCarried(StandardForces.All);
                 var pass = new GradientMomentsPass(rig.Shaders);
                 GpuTest.Run(cmd => pass.Record(cmd, rig.State));
