@@ -29,6 +29,9 @@ namespace SphFluid
         /// </summary>
         public virtual float SteepestWall => 0.51f;
 
+        /// <summary>Whether the faces of the domain are mirrors, which walls of triangles leave out.</summary>
+        public virtual bool HasMirrors => false;
+
         /// <summary>Whether only the buffers' sizes are asked for.</summary>
         protected bool IsPlanned { get; }
 

@@ -11,6 +11,7 @@ namespace SphFluid
         private static readonly int IsKept = Id("_IsKept");
         private static readonly int FloatsHere = Id("_FloatsHere");
         private static readonly int SteepestWall = Id("_SteepestWall");
+        private static readonly int HasMirrors = Id("_HasMirrors");
 
         private readonly ComputeKernel kernel;
 
@@ -37,6 +38,7 @@ namespace SphFluid
                 CellBindings.SetCells(cmd, kernel, state);
                 kernel.SetFloat(cmd, TimeStep, step.z);
                 kernel.SetFloat(cmd, SteepestWall, state.SteepestWall);
+                kernel.SetBool(cmd, HasMirrors, state.HasMirrors);
                 kernel.SetFloat(cmd, FloatsHere, isAtEnd ? 1f : 0f);
                 kernel.SetFloat(cmd, GapScale, state.Bodies.IsUnderWay ? 0f : 0.999f);
                 kernel.SetInt(cmd, IsKept, isKept ? 1 : 0);

@@ -28,6 +28,9 @@ namespace SphFluid
         /// <summary>Whether walls have to push by their whole profile while it acts: <see cref="CellState.SteepestWall"/>.</summary>
         public virtual bool NeedsWholeWalls => false;
 
+        /// <summary>Whether it makes mirrors of the domain's faces: <see cref="CellState.HasMirrors"/>.</summary>
+        public virtual bool MakesMirrors => false;
+
         /// <summary>Whether it takes something along in the sort: its buffers are <see cref="ICarriedBuffers"/>.</summary>
         public virtual bool Carries => false;
 

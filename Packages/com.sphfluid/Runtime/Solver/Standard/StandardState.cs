@@ -53,6 +53,9 @@ namespace SphFluid
         /// <summary>0 with a force that needs whole walls.</summary>
         public override float SteepestWall => forces.Keys.Any(force => force.NeedsWholeWalls) ? 0f : base.SteepestWall;
 
+        /// <inheritdoc/>
+        public override bool HasMirrors => forces.Keys.Any(force => force.MakesMirrors);
+
         /// <summary>Makes the buffers of a force, if they are not there.</summary>
         public void RequireForce(ParticleForce force)
         {

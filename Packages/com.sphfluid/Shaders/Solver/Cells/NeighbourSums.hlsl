@@ -4,7 +4,7 @@
 // Sums over the neighbours of a particle. A kernel that includes this file declares "#pragma multi_compile_local _ FLUID_PERIODIC",
 // "#pragma multi_compile_local _ FLUID_MESH_WALLS", and before it
 //   struct NeighbourSums
-//   NeighbourSums OwnSums(uint slot, float3 position)                              what a particle adds itself; slot: of its walls
+//   NeighbourSums OwnSums(float3 position)                                         what a particle adds itself
 //   void AddNeighbour(inout NeighbourSums sums, float3 d, float distanceSquared)   what another adds, nothing beyond R
 #define WRITES_LISTS
 #include "NeighbourSearch.hlsl"
@@ -53,7 +53,7 @@ NeighbourSums ListedSums(uint id, uint count, float3 position)
         NoteBehind(WallOf(slot, position), position, begin, end);
     }
 #endif
-    NeighbourSums sums = OwnSums(slot, position);
+    NeighbourSums sums = OwnSums(position);
     for (uint at = begin; at < end; at += LIST_LANES)
     {
         const uint entry = _NeighboursOut[at];
@@ -81,7 +81,7 @@ NeighbourSums SearchedSums(uint id, uint lane, float4 place)
     const int3 cell = CellAt(place.xyz);
     const uint end = ListPlace(id, _ListLength);
     uint at = ListPlace(id, 0u);
-    NeighbourSums sums = OwnSums(WallSlot(id), place.xyz);
+    NeighbourSums sums = OwnSums(place.xyz);
     Search search = (Search)0;
     search.Run = CellRun(cell, 0u);
     while (search.Row < CELL_RUNS)

@@ -257,6 +257,8 @@ Shadow TriangleShadow(float3 position, float3 planes[WALL_PLANES], uint owners[W
     return sum;
 }
 
+bool _HasMirrors; // the faces of the domain: images stand for them
+
 // With the faces of the domain. faces: what they have of the gradient. holds: the Hessian is that of the whole.
 Shadow WithFaces(Shadow mesh, float3 position, inout WallShares shares, out float3 faces, out bool holds)
 {
@@ -268,7 +270,7 @@ Shadow WithFaces(Shadow mesh, float3 position, inout WallShares shares, out floa
     Shadow whole = mesh;
     float left = 1.0;
     [branch]
-    if (any(min(low, high) < SHADOW_REACH))
+    if (!_HasMirrors && any(min(low, high) < SHADOW_REACH))
     {
         mesh.Value = min(mesh.Value, 0.95); // triangles that lie behind each other add up to more than all
         const Shadow meshFree = Free(mesh);

@@ -124,23 +124,14 @@ PairSums NeighbourSums(uint id, float3 position, float3 velocity, float pressure
     }
 #if defined(FLUID_GRADIENT_CORRECTION)
     AddImages(sums.Corrected, sums.Corrected.Own, pressure, pressure, float3(0.0, 0.0, 0.0), 0.0, velocity, velocity);
+    YieldFaces(sums.Corrected, WallsOf(WallSlot(id), position).Gradient);
     sums.Push += sums.Corrected.Push;
 #endif
     return sums;
 }
 
-// What the faces add to the gradient of the density, 1/m, where they are no mirrors.
-float3 FaceGradient(float3 position)
-{
-#if defined(FLUID_GRADIENT_CORRECTION)
-    return float3(0.0, 0.0, 0.0);
-#else
-    return DomainWalls(position).Gradient;
-#endif
-}
-
 // The push of the images square to the faces, without the factor.
-float3 PushOfFaces(PairSums sums)
+float3 PushOfImages(PairSums sums)
 {
 #if defined(FLUID_GRADIENT_CORRECTION)
     return sums.Corrected.FromFaces;

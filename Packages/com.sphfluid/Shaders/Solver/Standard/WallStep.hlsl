@@ -163,9 +163,6 @@ void EndStep(uint id, float number, float3 position, WallStep step)
     const Motion motion = Leapfrog(position, step.Kicked);
 #if defined(FLUID_WALL_FORCES)
     const float3 cut = motion.Velocity - step.Kicked;
-#if defined(FLUID_GRADIENT_CORRECTION)
-    step.FacePush = 0.0;
-#endif
     GiveFaces(position, step.FacePush, step.FaceKick + (IsFinite(cut) ? cut : float3(0.0, 0.0, 0.0)));
 #endif
     _NewVelocitiesOut[id] = float4(motion.Velocity, number);

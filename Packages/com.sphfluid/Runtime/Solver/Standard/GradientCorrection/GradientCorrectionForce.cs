@@ -27,6 +27,7 @@ namespace SphFluid
         private static readonly int OffsetStep = Shader.PropertyToID("_OffsetStep");
         private static readonly int WorkThreshold = Shader.PropertyToID("_WorkThreshold");
         private static readonly int OffsetFading = Shader.PropertyToID("_OffsetFading");
+        private static readonly int FaceStiffness = Shader.PropertyToID("_FaceStiffness");
         private static readonly int SlopeToGradient = Shader.PropertyToID("_SlopeToGradient");
 
         /// <summary>None: a liquid without it is the same liquid.</summary>
@@ -44,6 +45,8 @@ namespace SphFluid
             " Leave the profile's Gradient Correction off, or use another device.");
 
         public override IReadOnlyList<string> ProfileFields { get; } = new[] { "gradientCorrection" };
+
+        public override bool MakesMirrors => true;
 
         public override bool Carries => true;
 
@@ -79,6 +82,8 @@ namespace SphFluid
             kernel.SetFloat(cmd, OffsetStep, step.Length);
             kernel.SetFloat(cmd, WorkThreshold, (float)(WorkRate * settings.RestDensity * sound / radius));
             kernel.SetFloat(cmd, OffsetFading, (float)Math.Min(1.0, Fading * crossings));
+            double way = factor * step.Length * sound / WendlandKernel.LatticeMoment(radius / settings.Spacing);
+            kernel.SetFloat(cmd, FaceStiffness, (float)(way * way));
             kernel.SetFloat(cmd, SlopeToGradient, (float)(radius * factor));
             kernel.Set(cmd, state.List.Densities);
             kernel.SetOut(cmd, buffers.Corrections);

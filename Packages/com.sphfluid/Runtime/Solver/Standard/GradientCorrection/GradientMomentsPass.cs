@@ -6,6 +6,7 @@ namespace SphFluid
     internal sealed class GradientMomentsPass : ComputePass
     {
         private static readonly int MomentFactor = Id("_MomentFactor");
+        private static readonly int LatticeMoment = Id("_LatticeMoment");
         private static readonly int RestDensity = Id("_RestDensity");
 
         private readonly ComputeKernel kernel;
@@ -21,8 +22,10 @@ namespace SphFluid
             using (Sample(cmd))
             {
                 PairBindings.Set(cmd, kernel, state);
-                kernel.SetFloat(cmd, MomentFactor, (float)GradientCorrectionForce.SlopeFactor(state.Settings));
-                kernel.SetFloat(cmd, RestDensity, state.Settings.RestDensity);
+                FluidSolverSettings settings = state.Settings;
+                kernel.SetFloat(cmd, MomentFactor, (float)(settings.ParticleMass * WendlandKernel.SlopeFactor(settings.SupportRadius)));
+                kernel.SetFloat(cmd, LatticeMoment, (float)WendlandKernel.LatticeMoment(settings.SupportRadius / settings.Spacing));
+                kernel.SetFloat(cmd, RestDensity, settings.RestDensity);
                 kernel.Set(cmd, state.List.Densities);
                 kernel.SetOut(cmd, state.ForceBuffers<GradientCorrectionBuffers>().Moments);
                 kernel.DispatchThreads(cmd, state.ParticleCount);

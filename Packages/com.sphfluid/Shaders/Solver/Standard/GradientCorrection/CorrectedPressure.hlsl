@@ -18,6 +18,7 @@ float _OffsetFactor;       // 0.1 R c dt m 210 / (pi R^5 rho0)
 float _OffsetStep;         // dt, s
 float _WorkThreshold;      // t, kg/(m^3 s)
 float _OffsetFading;       // what of an offset fades in a step; one above what a surface cuts off is cut at once
+float _FaceStiffness;      // (c dt/M)^2 of the square of such a sum
 float _SlopeToGradient;    // m 210 / (pi R^4 rho0): sums of slopes to R grad C
 
 #define LEAST_OFFSET 1e-6 // over rho0, of one that is known
@@ -42,7 +43,7 @@ float DensityNoLessThanRest(uint id)
 CorrectedSums OwnCorrection(uint id, float3 position)
 {
     CorrectedSums sums = (CorrectedSums)0;
-    sums.Images = ImagesAt(WallSlot(id), position);
+    sums.Images = ImagesAt(position);
     sums.Own = UnpackMatrix(_CorrectionsOut[id].xyz);
     sums.Density = DensityNoLessThanRest(id);
     return sums;
@@ -84,6 +85,17 @@ void AddCorrected(inout CorrectedSums sums, uint other, float pressure, float ot
     }
 }
 
+// wallGradient: of what triangles add to the density, 1/m.
+// What flies into an edge compresses its own images faster than a step can follow, and would be thrown back with more energy than it had.
+// So the push of the faces is that of the step's end, by Euler's implicit rule; in liquid at rest the slopes add up to next to nothing.
+void YieldFaces(inout CorrectedSums sums, float3 wallGradient)
+{
+    const float3 slope = sums.Slope - wallGradient / (_InverseSupport * _SlopeToGradient);
+    const float late = 1.0 / (1.0 + _FaceStiffness * dot(slope, slope));
+    sums.Push -= (1.0 - late) * sums.FromFaces;
+    sums.FromFaces *= late;
+}
+
 // What the summed density lacks at a flat surface, over rho0, by R |grad C|: within 5 % of a lattice's, kappa = 2.25, whose topmost layer
 // has 1.44.
 float Deficit(float gradient)
@@ -92,7 +104,7 @@ float Deficit(float gradient)
     return flat * (0.0488 + 0.0966 * flat);
 }
 
-// wallGradient: of what walls without images add to the density, 1/m. After all neighbours.
+// After all neighbours.
 void MoveOffset(uint id, CorrectedSums sums, float3 wallGradient)
 {
     const float density = asfloat(_Neighbours[_DensitiesBegin + id]);

@@ -4,7 +4,8 @@
 // The liquid's mirror images in the faces of the domain, which push and are counted as the liquid is: before a mirror the arrangement of
 // the neighbours is as whole as inside, and what the correction does there conserves energy as it does inside. Images in edges and corners
 // are mirrored more than once. The image of a neighbour is farther than the neighbour, r'^2 = r^2 + 4 sum z_i z_j over the faces that
-// mirror it, so that the list has them all. Particles near triangles see the faces as planes among others (MeshWalls.hlsl).
+// mirror it, so that the list has them all. Triangles are no mirrors: they add what they add without the correction, and near them nothing
+// is corrected.
 #include "../../DomainFaces.hlsl"
 #include "../../Cells/Wendland.hlsl"
 
@@ -22,17 +23,15 @@ struct FaceImage
     float3 Mirror;     // -1 along each axis that is mirrored, else 1
 };
 
-// slot: of the particle's walls, 0 away from triangles.
-FaceImages ImagesAt(uint slot, float3 position)
+FaceImages ImagesAt(float3 position)
 {
     FaceImages images;
     images.Low = max(position - _WallsLow, 0.0);
     images.High = max(_WallsHigh - position, 0.0);
     const bool3 low = images.Low * _InverseSupport < 1.0;
     const bool3 high = images.High * _InverseSupport < 1.0;
-    const uint faces = (low.x ? 1u : 0u) | (low.y ? 2u : 0u) | (low.z ? 4u : 0u) | (high.x ? 8u : 0u) | (high.y ? 16u : 0u) |
+    images.Faces = (low.x ? 1u : 0u) | (low.y ? 2u : 0u) | (low.z ? 4u : 0u) | (high.x ? 8u : 0u) | (high.y ? 16u : 0u) |
         (high.z ? 32u : 0u);
-    images.Faces = slot == 0u ? faces : 0u;
     return images;
 }
 

@@ -68,9 +68,9 @@ float3 Eigenvalues(SymmetricMatrix deviator, float p)
     return float3(first, -first - last, last);
 }
 
-#define LEAST_EIGENVALUE 0.625 // what is less is inverted as this
+#define LEAST_EIGENVALUE 0.77 // what is less is inverted as this
 
-// The divided difference of 1/max(x, 0.625) between two eigenvalues. Of equal ones any slope serves: it is multiplied by their difference.
+// The divided difference of 1/max(x, 0.77) between two eigenvalues. Of equal ones any slope serves: it is multiplied by their difference.
 float InverseSlope(float a, float b, float apart)
 {
     const float within = max(a, LEAST_EIGENVALUE) - max(b, LEAST_EIGENVALUE);
@@ -78,7 +78,7 @@ float InverseSlope(float a, float b, float apart)
     return -part / (max(a, LEAST_EIGENVALUE) * max(b, LEAST_EIGENVALUE));
 }
 
-// B - 1 of a mean moment over M: its eigenvalues x become w (min(1/x, 1.6) - 1), where w falls from 1 to 0 with the least x from 0.45 to
+// B - 1 of a mean moment over M: its eigenvalues x become w (min(1/x, 1.3) - 1), where w falls from 1 to 0 with the least x from 0.45 to
 // 0.2: particles alone are not changed. By Newton's polynomial through the eigenvalues, which is right to second order in their errors,
 // however near they are to each other.
 SymmetricMatrix Correction(SymmetricMatrix a)
@@ -93,7 +93,7 @@ SymmetricMatrix Correction(SymmetricMatrix a)
     const float weight = t * t * (3.0 - 2.0 * t);
     const float first = InverseSlope(own.x, own.y, x.x - x.y);
     const float second = p > 1e-7 ? (first - InverseSlope(own.y, own.z, x.y - x.z)) / max(x.x - x.z, 1e-7) : 0.0;
-    // 1/max(a, 0.625) = f + first (k - x1) + second (k - x1)(k - x2)
+    // 1/max(a, 0.77) = f + first (k - x1) + second (k - x1)(k - x2)
     const float constant = 1.0 / max(own.x, LEAST_EIGENVALUE) - first * x.x + second * x.x * x.y - 1.0;
     const float rise = first - second * (x.x + x.y);
     const float3 d = k.Diagonal;

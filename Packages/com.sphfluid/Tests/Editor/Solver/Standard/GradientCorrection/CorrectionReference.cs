@@ -44,14 +44,18 @@ namespace SphFluid.Tests
             }
         }
 
-        /// <summary>The density of particles among their images.</summary>
+        /// <summary>The density of particles among their images, which add no more than what they are of.</summary>
         public static double Density(in FluidSolverSettings settings, IReadOnlyList<FluidParticle> particles, int i)
         {
-            double sum = StandardReference.Kernel(0.0, settings.SupportRadius);
-            foreach ((int _, Double3 d, Double3 _) in Around(settings, particles, i))
-                sum += StandardReference.Kernel(d.Length, settings.SupportRadius);
-            return settings.RestDensity +
-                (settings.ParticleMass * sum - settings.RestDensity) / StandardReference.Response(settings);
+            double sum = StandardReference.Kernel(0.0, settings.SupportRadius), images = 0.0;
+            foreach ((int _, Double3 d, Double3 mirror) in Around(settings, particles, i))
+            {
+                double w = StandardReference.Kernel(d.Length, settings.SupportRadius);
+                if (IsImage(mirror)) images += w;
+                else sum += w;
+            }
+            return settings.RestDensity + (settings.ParticleMass * (sum + Math.Min(images, sum)) - settings.RestDensity) /
+                StandardReference.Response(settings);
         }
 
         /// <summary>Σ (m/ρ_i)(−W'/r) d dᵀ.</summary>
@@ -68,21 +72,25 @@ namespace SphFluid.Tests
 
         /// <summary>The acceleration by the pressure terms of particles and images, corrections included [m/s²].</summary>
         public static Double3 Acceleration(FluidSolverSettings settings, IReadOnlyList<FluidParticle> particles, double[] density,
-            double[][] corrections, int i)
+            double[][] corrections, int i, double step)
         {
             double c2 = settings.SoundSpeed * (double)settings.SoundSpeed;
             double Term(int k) => Math.Max(0.0, c2 * (density[k] - settings.RestDensity)) / (density[k] * density[k]);
             FluidSolverSettings open = settings; // no wall but the images
             open.Boundaries.Open = FluidFaces.All & ~FluidBoundaries.FacesOf(settings.Boundaries.Periodic);
-            Double3 sum = StandardReference.Acceleration(particles, density, i, open);
+            Double3 sum = StandardReference.Acceleration(particles, density, i, open), slopes = Double3.Zero, faces = Double3.Zero;
             foreach ((int j, Double3 d, Double3 mirror) in Around(settings, particles, i))
             {
                 double slope = settings.ParticleMass * StandardReference.Slope(d.Length, settings.SupportRadius) / d.Length /
                     StandardReference.Response(settings);
-                sum -= slope * (Term(i) * Times(corrections[i], d) + Term(j) * Times(Mirrored(corrections[j], mirror), d));
-                if (mirror.X + mirror.Y + mirror.Z < 3.0) sum -= slope * (Term(i) + Term(j)) * d;
+                Double3 push = -slope * (Term(i) * Times(corrections[i], d) + Term(j) * Times(Mirrored(corrections[j], mirror), d));
+                if (IsImage(mirror)) push -= slope * (Term(i) + Term(j)) * d;
+                sum += push;
+                faces += new Double3(mirror.X < 0 ? push.X : 0, mirror.Y < 0 ? push.Y : 0, mirror.Z < 0 ? push.Z : 0);
+                slopes += slope / settings.RestDensity * d; // over M
             }
-            return sum;
+            double way = settings.SoundSpeed * step * slopes.Length; // Euler's implicit rule, square to the faces
+            return sum - (1.0 - 1.0 / (1.0 + way * way)) * faces;
         }
 
         /// <summary>A regularised inverse of a moment over M, less the identity, by Jacobi's rotations.</summary>
@@ -91,7 +99,7 @@ namespace SphFluid.Tests
             double[] x = Eigenvalues(mean, out Double3[] axes);
             double t = Math.Max(0.0, Math.Min(1.0, (x.Min() - 0.2) / 0.25)), weight = t * t * (3.0 - 2.0 * t);
             var correction = new double[6];
-            for (int k = 0; k < 3; k++) AddProduct(correction, weight * (Math.Min(1.0 / Math.Max(x[k], 1e-3), 1.6) - 1.0), axes[k]);
+            for (int k = 0; k < 3; k++) AddProduct(correction, weight * (1.0 / Math.Max(x[k], 0.77) - 1.0), axes[k]);
             return correction;
         }
 
@@ -183,58 +191,12 @@ namespace SphFluid.Tests
             return new[] { a[0, 0], a[1, 1], a[2, 2] };
         }
 
+        private static bool IsImage(Double3 mirror) => mirror.X + mirror.Y + mirror.Z < 3.0;
+
         private static double[] Mirrored(double[] m, Double3 mirror) => new[]
             { m[0], m[1], m[2], mirror.Y * mirror.Z * m[3], mirror.Z * mirror.X * m[4], mirror.X * mirror.Y * m[5] };
 
         private static bool IsWall(in FluidSolverSettings settings, int axis, bool isHigh) => settings.PeriodLength[axis] == 0f &&
             ((int)settings.Boundaries.Open >> 2 * axis & (isHigh ? 2 : 1)) == 0;
-
-        /// <summary>Layers behind planes square to an axis, at a distance: F = F + F_k − sym(F F_k).</summary>
-        public static double[,] Layers(in FluidSolverSettings settings, IEnumerable<(int Axis, double Distance)> planes)
-        {
-            var full = new double[3, 3];
-            foreach ((int axis, double distance) in planes)
-            {
-                var own = new double[3, 3];
-                for (int layer = 0; layer < 3; layer++)
-                {
-                    double z = 2.0 * distance + layer * settings.Spacing;
-                    for (int k = 0; k < 3; k++) own[k, k] += settings.Spacing * LayerMoment(z, settings.SupportRadius, k == axis);
-                }
-                full = Sum(Sum(full, own, 1.0), Product(full, own), -1.0);
-            }
-            return full;
-        }
-
-        private static double[,] Sum(double[,] a, double[,] b, double factor)
-        {
-            var sum = new double[3, 3];
-            for (int i = 0; i < 9; i++) sum[i / 3, i % 3] = a[i / 3, i % 3] + factor * b[i / 3, i % 3];
-            return sum;
-        }
-
-        private static double[,] Product(double[,] a, double[,] b)
-        {
-            var product = new double[3, 3];
-            for (int i = 0; i < 27; i++)
-            {
-                (int row, int column, int k) = (i / 9, i / 3 % 3, i % 3);
-                product[row, column] += 0.5 * (a[row, k] * b[k, column] + b[row, k] * a[k, column]);
-            }
-            return product;
-        }
-
-        // Of a plane of particles at a distance z, an area of 1 each: (−W'/r) times the squared coordinate along the normal, or across.
-        private static double LayerMoment(double z, double radius, bool along)
-        {
-            const int rings = 400;
-            double sum = 0.0, reach = z < radius ? Math.Sqrt(radius * radius - z * z) : 0.0;
-            for (int i = 0; i < rings; i++)
-            {
-                double a = (i + 0.5) * reach / rings, r = Math.Sqrt(a * a + z * z);
-                sum -= 2.0 * Math.PI * a * StandardReference.Slope(r, radius) / r * (along ? z * z : 0.5 * a * a) * reach / rings;
-            }
-            return sum;
-        }
     }
 }

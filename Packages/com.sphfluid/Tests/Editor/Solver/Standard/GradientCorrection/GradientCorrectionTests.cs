@@ -111,7 +111,7 @@ namespace SphFluid.Tests
                 var expected = new Double3[count];
                 for (int i = 0; i < count; i++)
                 {
-                    expected[i] = CorrectionReference.Acceleration(settings, start, density, corrections, i);
+                    expected[i] = CorrectionReference.Acceleration(settings, start, density, corrections, i, TimeStep);
                     largest = Math.Max(largest, expected[i].Length);
                 }
                 for (int i = 0; i < count; i++)

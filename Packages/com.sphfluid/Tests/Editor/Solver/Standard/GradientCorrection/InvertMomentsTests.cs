@@ -73,7 +73,7 @@ namespace SphFluid.Tests
         {
             var random = new System.Random(seed);
             double[] near = { 0.0, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2 };
-            double[] bounds = { 0.2, 0.45, 0.625, 1.0 };
+            double[] bounds = { 0.2, 0.45, 0.77, 1.0 };
             var moments = new double[count][];
             for (int i = 0; i < count; i++)
             {
@@ -83,7 +83,7 @@ namespace SphFluid.Tests
                 if (kind >= 1) x[1] = x[0] + apart;
                 if (kind == 2) x[2] = x[0] - apart * random.NextDouble();
                 if (kind == 3) x[0] = bounds[random.Next(4)] + apart * (random.NextDouble() - 0.5);
-                if (kind == 4) x = new[] { 0.625 + apart, 0.625 - apart, 0.625 + apart * random.NextDouble() };
+                if (kind == 4) x = new[] { 0.77 + apart, 0.77 - apart, 0.77 + apart * random.NextDouble() };
                 if (kind == 5) x[1] = x[2] = x[0];
                 Quaternion turn = i % 5 == 0 ? Quaternion.identity : ParticleSets.RandomRotation(random);
                 moments[i] = new double[6];
