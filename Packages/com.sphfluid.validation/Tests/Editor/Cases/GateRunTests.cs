@@ -62,6 +62,16 @@ namespace SphFluid.Tests
             Assert.That(result.Errors[1].Value, Is.LessThan(0.3), "it has come to rest");
         }
 
+        // What the corrected pressure works is taken from the density.
+        [Test]
+        public void EnergyFallsWithTheGradientCorrected()
+        {
+            CaseResult result = Run(new EnergyCase(), CaseMethod.Find("standard-corrected"), 8);
+
+            Assert.That(result.Failure, Is.Null);
+            Assert.That(result.Errors[0].Value, Is.LessThan(0.01));
+        }
+
         [Test]
         public void TheEllipsoidSwings()
         {

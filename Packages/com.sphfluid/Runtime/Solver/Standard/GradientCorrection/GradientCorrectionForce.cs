@@ -57,7 +57,9 @@ namespace SphFluid
         {
         }
 
-        public override bool Acts(in StandardSettings settings) => settings.GradientCorrection && !(settings.SurfaceTension > 0f);
+        /// <summary>Not with tension, whose constants are calibrated without, and not where viscosity ends waves.</summary>
+        public override bool Acts(in StandardSettings settings) =>
+            settings.GradientCorrection && !(settings.SurfaceTension > 0f) && !settings.ImplicitViscosity;
 
         public override string Describe(in FluidRuleInput input) => "the gradient correction";
 

@@ -21,7 +21,6 @@ namespace SphFluid
             using (Sample(cmd))
             {
                 MotionBindings.SetForces(cmd, kernel, state, step);
-                StandardForces.SetMotion(cmd, kernel, state, step);
                 MotionBindings.SetWalls(cmd, kernel, state, step);
                 kernel.SetInt(cmd, SpectrumSlot, state.Viscous.Slot);
                 kernel.SetOut(cmd, state.Viscous.Spectrum);

@@ -1,0 +1,64 @@
+using System;
+using System.Linq;
+using NUnit.Framework;
+using UnityEngine;
+
+namespace SphFluid.Tests
+{
+    /// <summary>What mirrors in the faces of the domain do for liquid with the gradient correction.</summary>
+    public sealed class FaceImagesTests
+    {
+        private const float Spacing = 0.05f;
+
+        [Test]
+        public void APoolBetweenWallsComesToRest()
+        {
+            const int width = 8, height = 13;
+            const float depth = height * Spacing;
+            var domain = new Vector3(width * Spacing, depth + 4f * Spacing, width * Spacing);
+            FluidSolverSettings settings = CorrectionReference.Corrected(BodyRig.Water(domain, Spacing, depth));
+            FluidParticle[] start = ParticleSets.Lattice(new Vector3Int(width, height, width), Spacing, 0.02f * Spacing, 1);
+            for (int i = 0; i < start.Length; i++) start[i].Position.y -= 2f * Spacing; // onto the floor
+            using (var rig = new StandardRig(settings, start))
+            {
+                rig.Steps((int)(25.0 * Math.Sqrt(depth / 9.81) / settings.TimeStep));
+                FluidParticle[] end = rig.Particles();
+                double speed = Math.Sqrt(end.Average(p => (double)p.VelT0.sqrMagnitude));
+                Assert.That(speed, Is.LessThan(0.005 * Math.Sqrt(9.81 * depth)));
+                double middle = end.Average(p => (double)p.Position.y) + 0.5 * domain.y;
+                Assert.That(middle, Is.EqualTo(0.5 * depth).Within(2.5).Percent, "its own weight compresses it by 2 %");
+            }
+        }
+
+        // Thrown into an edge or a corner, alone or several, as fast as liquid of the speed of sound may be.
+        [Test]
+        public void SprayIsNotThrownBackFasterThanItCame([Values(1, 2, 6, 20)] int count, [Values(1f, 0f)] float along)
+        {
+            var domain = new Vector3(0.5f, 0.5f, 0.5f);
+            FluidSolverSettings settings = CorrectionReference.Corrected(BodyRig.Water(domain, Spacing, 0.4f, 4f));
+            settings.Gravity = Vector3.zero;
+            for (int seed = 0; seed < 4; seed++)
+            {
+                var random = new System.Random(seed);
+                var start = new FluidParticle[count];
+                for (int i = 0; i < count; i++)
+                {
+                    var place = new Vector3(i % 3, i / 9, i / 3 % 3) * (0.9f * Spacing) - 0.1f * Vector3.one;
+                    start[i] = new FluidParticle(place + 0.1f * Spacing * ParticleSets.RandomVector(random),
+                        4f * new Vector3(1f, 0.9f, along).normalized, (uint)i);
+                }
+                using (var rig = new StandardRig(settings, start))
+                {
+                    double Energy() => rig.Particles().Sum(p => 0.5 * p.VelT0.sqrMagnitude);
+                    double before = Energy(), most = 0.0;
+                    for (int part = 0; part < 12; part++)
+                    {
+                        rig.Steps((int)(0.02f / settings.TimeStep));
+                        most = Math.Max(most, Energy());
+                    }
+                    Assert.That(most, Is.LessThan(1.05 * before), $"seed {seed}");
+                }
+            }
+        }
+    }
+}
