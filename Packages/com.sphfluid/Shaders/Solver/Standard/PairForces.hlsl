@@ -65,7 +65,7 @@ float AddNeighbour(inout PairSums sums, uint entry, float3 position, float3 velo
     sums.Drag += slope * relativeVelocity;
     sums.Weight += slope;
 #if defined(FLUID_GRADIENT_CORRECTION)
-    AddCorrected(sums.Corrected, j, pressure, place.w, slope, d, distanceSquared, velocity, relativeVelocity);
+    AddCorrected(sums.Corrected, j, pressure, place.w, slope, d, relativeVelocity);
 #endif
     return distanceSquared;
 }
@@ -104,6 +104,31 @@ PairSums ListedNeighbours(uint id, uint count, float3 position, float3 velocity,
     return sums;
 }
 
+#if defined(FLUID_GRADIENT_CORRECTION)
+
+// The images of the particle and of those on its list; few particles have any.
+void AddFaces(inout CorrectedSums sums, uint id, uint count, float3 position, float3 velocity, float pressure)
+{
+    const uint begin = ListPlace(id, 0u);
+    const uint end = begin + (sums.Images.Faces != 0u ? count + 1u : 0u) * LIST_LANES;
+    for (uint at = begin; at < end; at += LIST_LANES)
+    {
+        const bool isSelf = at + LIST_LANES == end;
+        const uint entry = isSelf ? id : _Neighbours[at];
+        const uint j = ListedParticle(entry);
+        const float4 place = _PositionTerms[j];
+        const float3 d = Separation(position, place.xyz);
+        [branch]
+        if (SeenSquared(entry, dot(d, d)) * _InverseSupport * _InverseSupport < 1.0)
+        {
+            AddImages(sums, j, pressure, place.w, d, velocity, _Velocities[j].xyz);
+        }
+    }
+    YieldFaces(sums, WallsOf(WallSlot(id), position).Gradient);
+}
+
+#endif
+
 PairSums NeighbourSums(uint id, float3 position, float3 velocity, float pressure)
 {
     const uint count = _Neighbours[_NeighbourCountsBegin + id];
@@ -120,11 +145,13 @@ PairSums NeighbourSums(uint id, float3 position, float3 velocity, float pressure
         {
             const float3 parted = position + float3(Apart(id, other, dot(d, d)), 0.0, 0.0);
             AddNeighbour(sums, other, parted, velocity, pressure);
+#if defined(FLUID_GRADIENT_CORRECTION)
+            AddImages(sums.Corrected, other, pressure, _PositionTerms[other].w, d, velocity, _Velocities[other].xyz);
+#endif
         }
     }
 #if defined(FLUID_GRADIENT_CORRECTION)
-    AddImages(sums.Corrected, sums.Corrected.Own, pressure, pressure, float3(0.0, 0.0, 0.0), 0.0, velocity, velocity);
-    YieldFaces(sums.Corrected, WallsOf(WallSlot(id), position).Gradient);
+    AddFaces(sums.Corrected, id, listed ? count : 0u, position, velocity, pressure);
     sums.Push += sums.Corrected.Push;
 #endif
     return sums;

@@ -49,13 +49,13 @@ CorrectedSums OwnCorrection(uint id, float3 position)
     return sums;
 }
 
-// Of the images of a neighbour, or of the particle's own. correction: B - 1 of what is mirrored.
-void AddImages(inout CorrectedSums sums, SymmetricMatrix correction, float pressure, float otherPressure, float3 d, float distanceSquared,
-    float3 velocity, float3 otherVelocity)
+// Of the images of a neighbour, or of the particle's own.
+void AddImages(inout CorrectedSums sums, uint other, float pressure, float otherPressure, float3 d, float3 velocity, float3 otherVelocity)
 {
+    const SymmetricMatrix correction = UnpackMatrix(_CorrectionsOut[other].xyz);
     FOR_EACH_IMAGE(sums.Images, set)
     {
-        const FaceImage image = ImageOf(sums.Images, set, d, distanceSquared);
+        const FaceImage image = ImageOf(sums.Images, set, d, dot(d, d));
         const float3 slope = WendlandSlope(image.DistanceSquared) * image.Separation;
         const float3 own = Times(sums.Own, slope);
         const float3 push = pressure * (slope + own) + otherPressure * (slope + Times(Mirrored(correction, image.Mirror), slope));
@@ -67,8 +67,7 @@ void AddImages(inout CorrectedSums sums, SymmetricMatrix correction, float press
 }
 
 // pressure: P of the particle itself; otherPressure: of the neighbour.
-void AddCorrected(inout CorrectedSums sums, uint other, float pressure, float otherPressure, float slope, float3 d, float distanceSquared,
-    float3 velocity, float3 relativeVelocity)
+void AddCorrected(inout CorrectedSums sums, uint other, float pressure, float otherPressure, float slope, float3 d, float3 relativeVelocity)
 {
     const SymmetricMatrix correction = UnpackMatrix(_CorrectionsOut[other].xyz);
     const float3 own = Times(sums.Own, d);
@@ -78,11 +77,6 @@ void AddCorrected(inout CorrectedSums sums, uint other, float pressure, float ot
     sums.Slope += slope * d;
     sums.Rate += slope * (density - sums.Density + (isPressed ? dot(_HydrostaticSlope, d) : 0.0));
     sums.Work += slope * dot(own, relativeVelocity);
-    [branch]
-    if (distanceSquared > 0.0) // an odd list ends with the particle itself
-    {
-        AddImages(sums, correction, pressure, otherPressure, d, distanceSquared, velocity, velocity - relativeVelocity);
-    }
 }
 
 // wallGradient: of what triangles add to the density, 1/m.
