@@ -25,8 +25,8 @@ internal sealed class FxcBudget(string packageRoot)
     {
         // The share of each plane is taken for walls, friction, floating bodies, zones and the force on walls, in one loop over what is near;
         // the gradient correction adds two products of matrices to each pair.
-        ["MoveParticles"] = 2170,
-        ["GatherWalls"] = 2160, // planes of three turns, and sums over edges with their Hessian; bodies that stretch and those that float
+        ["MoveParticles"] = 2420,
+        ["GatherWalls"] = 2170, // planes of three turns, and sums over edges with their Hessian; bodies that stretch and those that float
         ["ResolveContacts"] = 1820, // four kinds of bodies; those that deform are followed through a step; rectangles by the area they cover
         // 27 samples a thread in registers through nested loops, two filters.
         ["SampleBlocks"] = 1600,
