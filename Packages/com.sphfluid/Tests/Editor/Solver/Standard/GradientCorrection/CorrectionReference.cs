@@ -26,7 +26,10 @@ namespace SphFluid.Tests
         public static IEnumerable<(int Other, Double3 Separation, Double3 Mirror)> Around(FluidSolverSettings settings,
             IReadOnlyList<FluidParticle> particles, int i)
         {
-            foreach ((int other, Double3 separation) in Near(settings, particles, i)) yield return (other, separation, new Double3(1, 1, 1));
+            foreach ((int other, Double3 separation) in Near(settings, particles, i))
+            {
+                yield return (other, separation, new Double3(1, 1, 1));
+            }
             for (int set = 1; set < 27; set++)
             {
                 int[] sides = { set % 3, set / 3 % 3, set / 9 }; // of each axis: no image, in the low face, in the high one
@@ -35,8 +38,10 @@ namespace SphFluid.Tests
                 {
                     FluidParticle image = particles[j];
                     for (int axis = 0; axis < 3; axis++)
-                        if (sides[axis] > 0)
-                            image.Position[axis] = (sides[axis] == 2 ? 1f : -1f) * settings.DomainSize[axis] - image.Position[axis];
+                    {
+                        float twice = (sides[axis] == 2 ? 1f : -1f) * settings.DomainSize[axis];
+                        if (sides[axis] > 0) image.Position[axis] = twice - image.Position[axis];
+                    }
                     Double3 separation = ThesisReference.Separation(particles[i], image, settings.PeriodLength);
                     if (separation.Length >= settings.SupportRadius) continue;
                     yield return (j, separation, new Double3(sides[0] > 0 ? -1 : 1, sides[1] > 0 ? -1 : 1, sides[2] > 0 ? -1 : 1));

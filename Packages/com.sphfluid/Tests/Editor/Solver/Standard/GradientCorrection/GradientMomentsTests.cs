@@ -47,7 +47,8 @@ namespace SphFluid.Tests
                 FluidParticle[] particles = rig.FillSorted(ParticleSets.Random(count, 0.5f * Domain, 0f, 4));
                 rig.FillList(particles, true);
                 rig.SetTerms(Enumerable.Repeat(new Vector2(settings.RestDensity, 0f), count).ToArray());
-                WalledStateRig.SetWalls(rig, particles.Select(p => StoredWall.Pack(p.Position, false, 0.1f, null, (Vector3.up, Spacing))).ToList());
+                WalledStateRig.SetWalls(rig,
+                    particles.Select(p => StoredWall.Pack(p.Position, false, 0.1f, null, (Vector3.up, Spacing))).ToList());
                 rig.State.RequireCarried(StandardForces.All);
                 var pass = new GradientMomentsPass(rig.Shaders);
                 GpuTest.Run(cmd => pass.Record(cmd, rig.State));
