@@ -8,7 +8,7 @@ namespace SphFluid.Validation
     /// <summary>A chart that was measured on one device, read from its folder, with the cost of a step by method.</summary>
     public sealed class ChartData
     {
-        private readonly Dictionary<FluidMethodKind, StepCostModel> costs = new Dictionary<FluidMethodKind, StepCostModel>();
+        private readonly Dictionary<string, StepCostModel> costs = new Dictionary<string, StepCostModel>(); // by the name of a method
         private readonly IReadOnlyList<StepCostRow> stepCosts;
 
         /// <summary>A chart.</summary>
@@ -25,7 +25,7 @@ namespace SphFluid.Validation
                 List<(int, double, double)> samples = stepCosts.Where(r => r.Method == method.Name && r.Milliseconds > 0.0)
                     .Select(r => (r.Particles, r.SupportRatio, r.Milliseconds)).ToList();
                 if (samples.Count == 0) samples = OfCases(method).ToList();
-                if (samples.Count > 0) costs.Add(method.Kind, StepCostModel.Fit(method.Kind, samples));
+                if (samples.Count > 0) costs.Add(method.Name, StepCostModel.Fit(method.Kind, samples));
             }
         }
 
@@ -45,7 +45,7 @@ namespace SphFluid.Validation
         internal ChartData With(IEnumerable<ChartRow> more) => new ChartData(Folder, Rows.Concat(more).ToList(), stepCosts);
 
         /// <summary>The cost of a method's step; null where nothing was timed.</summary>
-        public StepCostModel CostOf(CaseMethod method) => costs.TryGetValue(method.Kind, out StepCostModel cost) ? cost : null;
+        public StepCostModel CostOf(CaseMethod method) => costs.TryGetValue(method.Name, out StepCostModel cost) ? cost : null;
 
         /// <summary>Reads a chart.</summary>
         /// <param name="folder">A folder that <c>./run chart</c> wrote.</param>

@@ -75,8 +75,8 @@ namespace SphFluid
 
         [SerializeField,
             Tooltip("Corrects the gradient of the pressure where particles are arranged unevenly, and evens out the noise of the " +
-            "density: waves last longer and keep their speed, for steps that take half as long again, or twice as long in small tanks. Not " +
-            "where Surface Tension acts, nor in liquid so viscous that its viscosity is solved for. Standard method only.")]
+            "density: waves last longer and keep their speed, for steps that take half as long again, or twice as long in small tanks. " +
+            "Not where Surface Tension acts, nor in liquid so viscous that its viscosity is solved for. Standard method only.")]
         private bool gradientCorrection;
 
         [SerializeField, Range(0f, 0.05f), Tooltip("Least kinematic viscosity that keeps the liquid calm, as a multiple of " +

@@ -59,8 +59,11 @@ namespace SphFluid.Tests
             var data = new ChartData("made up", chart.Rows, new StepCostRow[0]);
 
             Assert.That(data.CostOf(CaseMethod.Find("standard")), Is.Null, "a case that the catalogue has not");
-            Assert.That(chart.Data().CostOf(CaseMethod.Find("standard")).At(2000, 2.0),
-                Is.EqualTo(MadeUpChart.StepTimeOf("standard", 2.0, 2000)).Within(1e-3));
+            foreach (string method in new[] { "standard", "standard-corrected" }) // two of one kind
+            {
+                Assert.That(chart.Data().CostOf(CaseMethod.Find(method)).At(2000, 2.0),
+                    Is.EqualTo(MadeUpChart.StepTimeOf(method, 2.0, 2000)).Within(1e-3));
+            }
         }
 
         [Test]

@@ -52,7 +52,7 @@ namespace SphFluid.Tests
         }
 
         private static List<StepCostRow> StepCosts() =>
-            (from method in new[] { "standard", "thesis" }
+            (from method in new[] { "standard", "standard-corrected", "thesis" }
              from ratio in new[] { 2.0, 2.5 }
              from count in new[] { 500, 1000, 2000, 4000, 16000 }
              select StepCostRow.Of(new StepCostPoint(CaseMethod.Find(method), ratio, count), 10,
