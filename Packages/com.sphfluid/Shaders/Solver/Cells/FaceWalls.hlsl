@@ -33,18 +33,15 @@ float2 MirrorProfile(float d)
     return sum * float2(21.0, 42.0) / _SupportRatio;
 }
 
-// The six faces of the domain: 1 - L = product over the faces, which is exact for the corners of a lattice. Nothing where they are mirrors
-// (FaceImages.hlsl).
+// The six faces of the domain: 1 - L = product over the faces, which is exact for the corners of a lattice. Nothing in a kernel that
+// defines FLUID_MIRRORS and sums the liquid's images itself.
 WallDensity DomainWalls(float3 position)
 {
     WallDensity walls;
     walls.Value = 0.0;
     walls.Gradient = float3(0.0, 0.0, 0.0);
-#if defined(FLUID_GRADIENT_CORRECTION)
-    const float reach = 0.0;
-#else
+#if !defined(FLUID_MIRRORS)
     const float reach = 0.5 / _InverseSupport;
-#endif
     if (any(min(position - _WallsLow, _WallsHigh - position) < reach))
     {
         float3 open = float3(1.0, 1.0, 1.0);
@@ -60,6 +57,7 @@ WallDensity DomainWalls(float3 position)
         walls.Value = 1.0 - open.x * open.y * open.z;
         walls.Gradient = slope * _InverseSupport * float3(open.y * open.z, open.x * open.z, open.x * open.y);
     }
+#endif
     return walls;
 }
 

@@ -3,7 +3,8 @@
 
 // What neighbours do to a particle: symmetric pressure, the parting of close pairs and laminar viscosity (Morris et al. 1997),
 //   a_i = -(1/M) (m sum_j (P_i + P_j) grad W - (2 nu m / rho0) sum_j (W'/r) (v_i - v_j)).
-// A kernel that includes this file has the keywords FLUID_PERIODIC, or defines it, FLUID_MESH_WALLS and FLUID_GRADIENT_CORRECTION.
+// A kernel that includes this file has the keywords FLUID_PERIODIC, or defines it, and FLUID_MESH_WALLS; it may have
+// FLUID_GRADIENT_CORRECTION.
 #include "../Cells/CellRows.hlsl"
 #include "../Cells/NeighbourList.hlsl"
 #include "../Cells/Wendland.hlsl"
@@ -124,7 +125,11 @@ void AddFaces(inout CorrectedSums sums, uint id, uint count, float3 position, fl
             AddImages(sums, j, pressure, place.w, d, velocity, _Velocities[j].xyz);
         }
     }
-    YieldFaces(sums, WallsOf(WallSlot(id), position).Gradient);
+    [branch]
+    if (sums.Images.Faces != 0u)
+    {
+        YieldFaces(sums, WallsOf(WallSlot(id), position).Gradient);
+    }
 }
 
 #endif

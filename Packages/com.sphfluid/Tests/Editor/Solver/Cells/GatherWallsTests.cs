@@ -101,6 +101,24 @@ namespace SphFluid.Tests
         }
 
         // On positions that the test puts there.
+        // The floor and the ceiling of the domain stand inside the box, square to its walls.
+        [Test]
+        public void FacesThatAreMirrorsHaveNoShare([Values] bool areMirrors)
+        {
+            var size = new Vector3(0.5f, 0.4f, 0.6f);
+            FluidSolverSettings settings = BodyRig.Water(size + Spacing * new Vector3(1f, -2f, 1f), Spacing, 0.3f);
+            if (areMirrors) settings = CorrectionReference.Corrected(settings);
+            Double3[] faces = Inside(size);
+            using (var rig = new BodyRig(settings))
+            {
+                rig.Add(Box(size, 5));
+                Vector3[] points = Points(251, size - Spacing * new Vector3(0.4f, 2.4f, 0.4f), 3);
+                StoredWall[] walls = Gather(rig, points);
+                double most = points.Select((p, i) => Math.Abs(walls[i].Value - Share(p, faces, settings))).Max();
+                Assert.That(most, areMirrors ? Is.LessThan(1e-3) : Is.GreaterThan(1e-2));
+            }
+        }
+
         [Test]
         public void EachParticleOfAnyNumberHasItsWalls([Values(1, 63, 64, 65, 257, 1009)] int count)
         {

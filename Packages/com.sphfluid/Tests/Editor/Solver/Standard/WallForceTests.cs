@@ -112,16 +112,19 @@ namespace SphFluid.Tests
         }
 
         // From pressure, shell and contact alike: what the liquid loses the walls have.
-        [TestCase(false, false)]
-        [TestCase(true, false)]
-        [TestCase(false, true)]
-        [TestCase(true, true)]
-        public void TheMomentumOfAHitIsAllOnTheWalls(bool onMesh, bool isViscous)
+        [TestCase(false, false, false)]
+        [TestCase(true, false, false)]
+        [TestCase(false, true, false)]
+        [TestCase(true, true, false)]
+        [TestCase(false, false, true)]
+        [TestCase(true, false, true)]
+        public void TheMomentumOfAHitIsAllOnTheWalls(bool onMesh, bool isViscous, bool isCorrected)
         {
             var domain = new Vector3(0.8f, 0.6f, 0.6f);
             FluidSolverSettings settings = BodyRig.Water(domain, Spacing, 0.3f, 4f);
             settings.Gravity = Vector3.zero;
             settings.Boundaries.Friction = 0f;
+            if (isCorrected) settings = CorrectionReference.Corrected(settings);
             if (isViscous)
             {
                 settings.Viscosity = 20f;
