@@ -17,7 +17,7 @@ float3 _HydrostaticSlope;  // rho0 g / c^2, kg/m^4
 float _OffsetFactor;       // 0.1 R c dt m 210 / (pi R^5 rho0)
 float _OffsetStep;         // dt, s
 float _WorkThreshold;      // t, kg/(m^3 s)
-float _OffsetFading;       // what of an offset fades in a step; one above what a surface cuts off is cut at once
+float _OffsetFading;       // what of an offset fades in a step, more of one far below 0; one above what a surface cuts off is cut at once
 float _FaceStiffness;      // (c dt/M)^2 of the square of such a sum
 float _SlopeToGradient;    // m 210 / (pi R^4 rho0): sums of slopes to R grad C
 
@@ -81,11 +81,13 @@ void AddCorrected(inout CorrectedSums sums, uint other, float pressure, float ot
 
 // wallGradient: of what triangles add to the density, 1/m.
 // What flies into an edge compresses its own images faster than a step can follow, and would be thrown back with more energy than it had.
-// So the push of the faces is that of the step's end, by Euler's implicit rule; in liquid at rest the slopes add up to next to nothing.
+// So the push of the faces is that of the step's end, by Euler's implicit rule. Square to the faces the slopes of liquid at rest add up to
+// next to nothing, and it is left alone: a pool would be stirred along its edges.
 void YieldFaces(inout CorrectedSums sums, float3 wallGradient)
 {
-    const float3 slope = sums.Slope - wallGradient / (_InverseSupport * _SlopeToGradient);
-    const float late = 1.0 / (1.0 + _FaceStiffness * dot(slope, slope));
+    const float3 all = sums.Slope - wallGradient / (_InverseSupport * _SlopeToGradient);
+    const float3 slope = MaskOf(sums.Images.Faces | sums.Images.Faces >> 3u) ? all : 0.0;
+    const float late = 1.0 / (1.0 + max(_FaceStiffness * dot(slope, slope) - 0.03, 0.0));
     sums.Push -= (1.0 - late) * sums.FromFaces;
     sums.FromFaces *= late;
 }
@@ -107,7 +109,10 @@ void MoveOffset(uint id, CorrectedSums sums, float3 wallGradient)
     const float most = gradient > 0.15 ? 1.5 * _RestDensity * Deficit(gradient) : 0.0;
     const float filled = clamp(offset + max(0.999996 * _RestDensity - density, 0.0), 0.0, most); // as the mass: rounding is no pressure
     const float target = gradient > 0.3 ? filled : 0.0;
-    const float fading = offset > max(most, 0.01 * _RestDensity) ? 1.0 : _OffsetFading;
+    // What the work takes below 0 would let particles crowd: it comes back the faster the more it is.
+    const float below = min(offset, 0.0) / (0.03 * _RestDensity);
+    const float slow = min(_OffsetFading * (1.0 + 20.0 * below * below), 0.1);
+    const float fading = offset > max(most, 0.01 * _RestDensity) ? 1.0 : slow;
     const float work = -_SlopeFactor * sums.Work;
     const float kept = work * work / (work * work + _WorkThreshold * _WorkThreshold);
     const float change = _OffsetFactor * sums.Rate + _OffsetStep * kept * work;

@@ -161,9 +161,10 @@ namespace SphFluid.Tests
         [TestCase(100f, 0f, 1)]
         [TestCase(1000f, 25f, 3)]
         [TestCase(5000f, 25f, 1)]
-        public void LiquidAndBodyKeepTheirMomentumTogether(float density, float turn, int stepsPerFrame)
+        [TestCase(1000f, 25f, 3, true)]
+        public void LiquidAndBodyKeepTheirMomentumTogether(float density, float turn, int stepsPerFrame, bool isCorrected = false)
         {
-            FluidSolverSettings settings = Settings(false);
+            FluidSolverSettings settings = isCorrected ? CorrectionReference.Corrected(Settings(false)) : Settings(false);
             FluidParticle[] particles =
                 FloatingRig.Block(new Vector3Int(6, 7, 8), Spacing, new Vector3(-0.45f, -0.05f, -0.1f), new Vector3(2f, 0f, 0.3f));
             using (var rig = new FloatingRig(settings, particles))

@@ -32,11 +32,14 @@ namespace SphFluid.Tests
         [TestCase(1f, 0f, 0f, 90f, 5e-5)]
         [TestCase(1f, 2f, 3f, 40f, 2e-4)]
         [TestCase(0f, 0f, 1f, -17f, 2e-4)]
-        public void TurnedItGoesAsItDid(float x, float y, float z, float degrees, double within) =>
-            Check(Turned(Quaternion.AngleAxis(degrees, new Vector3(x, y, z))), within);
+        [TestCase(1f, 2f, 3f, 40f, 2e-4, true)]
+        public void TurnedItGoesAsItDid(float x, float y, float z, float degrees, double within, bool isCorrected = false) =>
+            Check(Turned(Quaternion.AngleAxis(degrees, new Vector3(x, y, z))), within, isCorrected);
 
-        [Test]
-        public void MirroredItGoesAsItDid() => Check(new Image { Turn = Quaternion.identity, IsMirrored = true, Scale = 1f }, 2e-5);
+        [TestCase(2e-5)]
+        [TestCase(5e-5, true)]
+        public void MirroredItGoesAsItDid(double within, bool isCorrected = false) =>
+            Check(new Image { Turn = Quaternion.identity, IsMirrored = true, Scale = 1f }, within, isCorrected);
 
         [Test]
         public void ElsewhereItGoesAsItDid() =>
@@ -48,10 +51,10 @@ namespace SphFluid.Tests
         public void ItsScaleIsThatOfFroude(float scale, double within) =>
             Check(new Image { Turn = Quaternion.identity, Scale = scale }, within);
 
-        private static void Check(Image image, double within)
+        private static void Check(Image image, double within, bool isCorrected = false)
         {
-            (FluidParticle[] first, FluidSolverSettings settings) = Play(Turned(Quaternion.identity));
-            (FluidParticle[] second, FluidSolverSettings its) = Play(image);
+            (FluidParticle[] first, FluidSolverSettings settings) = Play(Turned(Quaternion.identity), isCorrected);
+            (FluidParticle[] second, FluidSolverSettings its) = Play(image, isCorrected);
             double speed = Math.Sqrt(image.Scale), fastest = first.Max(p => (double)p.VelT0.magnitude);
             Assert.That(its.TimeStep, Is.EqualTo(speed * settings.TimeStep).Within(1e-6 * its.TimeStep));
             Assert.That(first.Length, Is.EqualTo(second.Length));
@@ -68,7 +71,7 @@ namespace SphFluid.Tests
         }
 
         // 400 particles thrown into a corner of the box, by number.
-        private static (FluidParticle[], FluidSolverSettings) Play(Image image)
+        private static (FluidParticle[], FluidSolverSettings) Play(Image image, bool isCorrected)
         {
             Vector3 side = image.Scale * (image.Turn == Quaternion.identity ? Domain : 0.72f * Vector3.one);
             double time = Math.Sqrt(image.Scale);
@@ -79,6 +82,7 @@ namespace SphFluid.Tests
             input.LiquidHeight = input.LiquidDepth = image.Scale * Box.y;
             input.MinSpeed = (float)time;
             input.Gravity = image.Vector(Gravity);
+            input.GradientCorrection = isCorrected;
             input.KinematicViscosity *= image.Scale * image.Scale / (float)time;
             FluidSolverSettings settings = FluidRules.Derive(input);
             using (var rig = new BodyRig(settings))

@@ -94,8 +94,9 @@ namespace SphFluid.Tests
                 faces += new Double3(mirror.X < 0 ? push.X : 0, mirror.Y < 0 ? push.Y : 0, mirror.Z < 0 ? push.Z : 0);
                 slopes += slope / settings.RestDensity * d; // over M
             }
-            double way = settings.SoundSpeed * step * slopes.Length; // Euler's implicit rule, square to the faces
-            return sum - (1.0 - 1.0 / (1.0 + way * way)) * faces;
+            double Square(int axis) => HasFaceWithin(settings, particles[i], axis) ? slopes[axis] * slopes[axis] : 0.0;
+            double way = settings.SoundSpeed * step * Math.Sqrt(Square(0) + Square(1) + Square(2)); // square to the faces alone
+            return sum - (1.0 - 1.0 / (1.0 + Math.Max(way * way - 0.03, 0.0))) * faces; // Euler's implicit rule
         }
 
         /// <summary>A regularised inverse of a moment over M, less the identity, by Jacobi's rotations.</summary>
@@ -150,7 +151,8 @@ namespace SphFluid.Tests
             double flat = Math.Min(gradient, 1.44), most = gradient > 0.15 ? 1.5 * rest * flat * (0.0488 + 0.0966 * flat) : 0.0;
             double filled = Math.Max(0.0, Math.Min(most, offset + Math.Max(0.0, 0.999996 * rest - density[i])));
             if (offset == 0.0) return Math.Max(filled, 1e-6 * rest);
-            double target = gradient > 0.3 ? filled : 0.0, fading = Math.Min(1.0, 0.0018 * step * sound / radius);
+            double target = gradient > 0.3 ? filled : 0.0, below = Math.Min(offset, 0.0) / (0.03 * rest);
+            double fading = Math.Min(0.1, Math.Min(1.0, 0.0018 * step * sound / radius) * (1.0 + 20.0 * below * below));
             if (offset > Math.Max(most, 0.01 * rest)) fading = 1.0;
             double threshold = 0.0015 * rest * sound / radius;
             rate += work * work * work / (work * work + threshold * threshold);
@@ -200,6 +202,12 @@ namespace SphFluid.Tests
 
         private static double[] Mirrored(double[] m, Double3 mirror) => new[]
             { m[0], m[1], m[2], mirror.Y * mirror.Z * m[3], mirror.Z * mirror.X * m[4], mirror.X * mirror.Y * m[5] };
+
+        private static bool HasFaceWithin(in FluidSolverSettings settings, in FluidParticle particle, int axis)
+        {
+            float low = particle.Position[axis] + 0.5f * settings.DomainSize[axis], high = settings.DomainSize[axis] - low;
+            return IsWall(settings, axis, false) && low < settings.SupportRadius || IsWall(settings, axis, true) && high < settings.SupportRadius;
+        }
 
         private static bool IsWall(in FluidSolverSettings settings, int axis, bool isHigh) => settings.PeriodLength[axis] == 0f &&
             ((int)settings.Boundaries.Open >> 2 * axis & (isHigh ? 2 : 1)) == 0;

@@ -10,21 +10,21 @@ namespace SphFluid.Tests
     {
         private const float Spacing = 0.05f;
 
-        [Test]
-        public void APoolBetweenWallsComesToRest()
+        [TestCase(8, 13, 25, 0.005)]
+        [TestCase(12, 5, 40, 0.01)]
+        public void APoolBetweenWallsComesToRest(int width, int height, int times, double most)
         {
-            const int width = 8, height = 13;
-            const float depth = height * Spacing;
+            float depth = height * Spacing;
             var domain = new Vector3(width * Spacing, depth + 4f * Spacing, width * Spacing);
             FluidSolverSettings settings = CorrectionReference.Corrected(BodyRig.Water(domain, Spacing, depth));
             FluidParticle[] start = ParticleSets.Lattice(new Vector3Int(width, height, width), Spacing, 0.02f * Spacing, 1);
             for (int i = 0; i < start.Length; i++) start[i].Position.y -= 2f * Spacing; // onto the floor
             using (var rig = new StandardRig(settings, start))
             {
-                rig.Steps((int)(25.0 * Math.Sqrt(depth / 9.81) / settings.TimeStep));
+                rig.Steps((int)(times * Math.Sqrt(depth / 9.81) / settings.TimeStep));
                 FluidParticle[] end = rig.Particles();
                 double speed = Math.Sqrt(end.Average(p => (double)p.VelT0.sqrMagnitude));
-                Assert.That(speed, Is.LessThan(0.005 * Math.Sqrt(9.81 * depth)));
+                Assert.That(speed, Is.LessThan(most * Math.Sqrt(9.81 * depth)));
                 double middle = end.Average(p => (double)p.Position.y) + 0.5 * domain.y;
                 Assert.That(middle, Is.EqualTo(0.5 * depth).Within(2.5).Percent, "its own weight compresses it by 2 %");
             }
@@ -58,6 +58,36 @@ namespace SphFluid.Tests
                     }
                     Assert.That(most, Is.LessThan(1.05 * before), $"seed {seed}");
                 }
+            }
+        }
+
+        // Eight steps, as rounding grows; a corner of three faces, one of them mirrored.
+        [Test]
+        public void LiquidInACornerGoesAsItsMirrorImageDoes()
+        {
+            var domain = new Vector3(0.5f, 0.5f, 0.5f);
+            FluidSolverSettings settings = CorrectionReference.Corrected(BodyRig.Water(domain, Spacing, 0.4f, 4f));
+            FluidParticle[] Play(float side)
+            {
+                FluidParticle[] start = ParticleSets.Lattice(new Vector3Int(6, 5, 6), Spacing, 0.1f * Spacing, 7);
+                for (int i = 0; i < start.Length; i++)
+                {
+                    Vector3 place = start[i].Position - new Vector3(0.095f, 0.12f, 0.095f);
+                    start[i].Position = new Vector3(side * place.x, place.y, place.z);
+                    start[i].VelT0 = new Vector3(-0.5f * side, -1f, -0.4f);
+                }
+                using (var rig = new StandardRig(settings, start))
+                {
+                    rig.Steps(8);
+                    return rig.Particles().OrderBy(p => p.Id).ToArray();
+                }
+            }
+            FluidParticle[] first = Play(1f), second = Play(-1f);
+            for (int i = 0; i < first.Length; i++)
+            {
+                Vector3 image = first[i].Position;
+                image.x = -image.x;
+                Assert.That((second[i].Position - image).magnitude, Is.LessThan(5e-5f * Spacing), $"place of {i}");
             }
         }
     }

@@ -191,6 +191,47 @@ namespace SphFluid.Tests
             }
         }
 
+        // Shear mixes the arrangement for ever. What the work takes from offsets must not add up: particles would crowd without a pressure.
+        [Test]
+        public void LiquidThatIsShearedForLongIsNotCrowded()
+        {
+            var domain = new Vector3(8f, 8f, 8f) * Spacing;
+            FluidSolverSettings settings = BodyRig.Water(domain, Spacing, 0.4f);
+            settings.Gravity = Vector3.zero;
+            settings.Boundaries.Periodic = FluidAxes.All;
+            settings = CorrectionReference.Corrected(settings);
+            FluidParticle[] now = ParticleSets.Lattice(new Vector3Int(8, 8, 8), Spacing, 0.1f * Spacing, 1);
+            for (int part = 0; part < 30; part++)
+            {
+                for (int i = 0; i < now.Length; i++)
+                {
+                    now[i].VelT0 = 0.8f * Mathf.Sin(2f * Mathf.PI * now[i].Position.y / domain.y) * Vector3.right;
+                }
+                using (var rig = new StandardRig(settings, now))
+                {
+                    rig.Steps(50);
+                    now = rig.Particles();
+                }
+            }
+            double offset = now.Average(p => (double)p.DensityOffset) / settings.RestDensity;
+            Assert.That(offset, Is.GreaterThan(-0.05), "mean offset over the density at rest");
+        }
+
+        [Test]
+        public void ItRepeatsToTheBit()
+        {
+            FluidSolverSettings settings = CorrectionReference.Corrected(BodyRig.Water(Domain, Spacing, 0.3f));
+            FluidParticle[] Play()
+            {
+                using (var rig = new StandardRig(settings, ParticleSets.Lattice(new Vector3Int(7, 6, 6), Spacing, 0.1f * Spacing, 5)))
+                {
+                    rig.Steps(60);
+                    return rig.Particles();
+                }
+            }
+            Assert.That(Play(), Is.EqualTo(Play()));
+        }
+
         // Moments once a sort, and nothing where it does not act, had it ever acted or not.
         [Test]
         public void ItIsFreeWhereItDoesNotAct()
