@@ -55,7 +55,7 @@ fountain Fountain 480x270 2x2 0.8 1.5 2.3 3
 getting-started GettingStarted 480x270 2x2 0.6 1.2 1.8 2.4
 heated-water HeatedWater 480x270 2x2 0.4 0.7 1.1 1.6
 pour-and-fill PourAndFill 480x270 2x2 0.4 1.1 2 4
-wave-tank WaveTank 480x270 2x2 0.6 1.2 1.8 2.4
+wave-tank WaveTank 480x270 2x2 1.4 2 3.2 5.6
 weather-proof WeatherProof 480x270 2x2 0.6 1.2 1.8 2.4
 river River 480x270 2x2 0.3 0.8 1.2 1.8
 waterfall Waterfall 480x270 2x2 0.4 0.8 1.2 1.8

@@ -206,7 +206,8 @@ namespace SphFluid.Tests
         private static bool HasFaceWithin(in FluidSolverSettings settings, in FluidParticle particle, int axis)
         {
             float low = particle.Position[axis] + 0.5f * settings.DomainSize[axis], high = settings.DomainSize[axis] - low;
-            return IsWall(settings, axis, false) && low < settings.SupportRadius || IsWall(settings, axis, true) && high < settings.SupportRadius;
+            return IsWall(settings, axis, false) && low < settings.SupportRadius ||
+                IsWall(settings, axis, true) && high < settings.SupportRadius;
         }
 
         private static bool IsWall(in FluidSolverSettings settings, int axis, bool isHigh) => settings.PeriodLength[axis] == 0f &&
