@@ -21,8 +21,6 @@ float _OffsetFading;       // what of an offset fades in a step, more of one far
 float _FaceStiffness;      // (c dt/M)^2 of the square of such a sum
 float _SlopeToGradient;    // m 210 / (pi R^4 rho0): sums of slopes to R grad C
 
-#define LEAST_OFFSET 1e-6 // over rho0, of one that is known
-
 struct CorrectedSums
 {
     FaceImages Images;
@@ -79,10 +77,9 @@ void AddCorrected(inout CorrectedSums sums, uint other, float pressure, float ot
     sums.Work += slope * dot(own, relativeVelocity);
 }
 
-// wallGradient: of what triangles add to the density, 1/m.
 // What flies into an edge compresses its own images faster than a step can follow, and would be thrown back with more energy than it had.
-// So the push of the faces is that of the step's end, by Euler's implicit rule. Square to the faces the slopes of liquid at rest add up to
-// next to nothing, and it is left alone: a pool would be stirred along its edges.
+// So the push of the faces is that of the step's end, by Euler's implicit rule. Liquid at rest, whose slopes square to the faces add up to
+// next to nothing, is left alone: a pool would be stirred along its edges. wallGradient: of what triangles add to the density, 1/m.
 void YieldFaces(inout CorrectedSums sums, float3 wallGradient)
 {
     const float3 all = sums.Slope - wallGradient / (_InverseSupport * _SlopeToGradient);
@@ -117,7 +114,7 @@ void MoveOffset(uint id, CorrectedSums sums, float3 wallGradient)
     const float kept = work * work / (work * work + _WorkThreshold * _WorkThreshold);
     const float change = _OffsetFactor * sums.Rate + _OffsetStep * kept * work;
     const bool starts = offset == 0.0;
-    const float next = starts ? max(filled, LEAST_OFFSET * _RestDensity) : offset + fading * (target - offset) + change;
+    const float next = starts ? max(filled, 1e-6 * _RestDensity) : offset + fading * (target - offset) + change;
     const uint bits = asuint(abs(next) < _RestDensity ? next : 0.0); // what is not a number is not known
     _CorrectionsOut[id].w = (bits & ~(OFFSET_STARTS | OFFSET_HIT)) | (starts && bits != 0u ? OFFSET_STARTS : 0u);
 }
