@@ -5,8 +5,8 @@
 // "#pragma multi_compile_local _ FLUID_PERIODIC", a keyword of FLUID_MESH_WALLS, and before it
 //   struct PairSums
 //   void AddPair(inout PairSums sums, uint other, float w, float3 d, float distanceSquared)
-// w: what the pass wrote beside the other's place. Of the particle itself and of those behind a face AddPair adds nothing: the
-// distance is 0 or beyond any R.
+// w: what the pass wrote beside the other's place. The particle itself is not among them; of those behind a face AddPair adds nothing:
+// the distance is beyond any R.
 
 #include "CellRows.hlsl"
 #include "NeighbourList.hlsl"
