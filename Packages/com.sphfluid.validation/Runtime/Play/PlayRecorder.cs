@@ -19,14 +19,14 @@ namespace SphFluid.Validation
             "centre_x_m", "centre_y_m", "centre_z_m", "close_share", "nearest_over_dx",
         };
 
-        private readonly FrameTable frames = new FrameTable("steps", "particles");
+        private readonly FrameTable frames = new FrameTable("steps", "setups", "dispatches", "particles");
         private readonly FrameTable record = new FrameTable(RecordColumns);
         private readonly InstrumentRecord instruments = new InstrumentRecord();
         private readonly Dictionary<FluidSimulation, SurfaceCaps> surfaces = new Dictionary<FluidSimulation, SurfaceCaps>();
         private readonly Dictionary<FluidSimulation, ColliderSides> sides = new Dictionary<FluidSimulation, ColliderSides>();
         private readonly PlaySequences sequences = new PlaySequences();
         private PlayArguments arguments;
-        private long stepsBefore;
+        private long stepsBefore, setupsBefore, dispatchesBefore;
         private bool watched, seen;
 
         public static void Begin(PlayArguments arguments)
@@ -42,13 +42,14 @@ namespace SphFluid.Validation
 
         private void LateUpdate()
         {
-            long steps = 0, particles = 0;
+            long steps = 0, setups = 0, particles = 0, dispatches = ComputeKernel.DispatchesRecorded;
             IReadOnlyList<FluidSimulation> simulations = FluidSimulation.Active;
             watched = true;
             seen |= simulations.Count > 0;
             for (int i = 0; i < simulations.Count; i++)
             {
                 steps += simulations[i].StepCount;
+                setups += simulations[i].Solver?.SetupCount ?? 0;
                 particles += simulations[i].ParticleCount;
                 if (!surfaces.TryGetValue(simulations[i], out SurfaceCaps caps)) surfaces.Add(simulations[i], caps = new SurfaceCaps());
                 caps.Observe(PlaySurface.StatusOf(simulations[i]));
@@ -63,8 +64,8 @@ namespace SphFluid.Validation
                     sequences.Write(i, simulations[i], arguments.SequenceFolder);
                 }
             }
-            frames.Add(steps - stepsBefore, particles);
-            stepsBefore = steps;
+            frames.Add(steps - stepsBefore, setups - setupsBefore, dispatches - dispatchesBefore, particles);
+            (stepsBefore, setupsBefore, dispatchesBefore) = (steps, setups, dispatches);
             if (simulations.Count > 0 && simulations.All(IsRefused))
             {
                 CommandLine.Fail("play", "no liquid is left to play: all of the scene's were refused or have stopped, see above.",

@@ -12,7 +12,7 @@ namespace SphFluid
         {
             public FluidSimulation Simulation;
             public FluidSolver Solver;
-            public long Steps, CapHits;
+            public long Steps, Setups, CapHits;
         }
 
         private readonly List<Followed> followed = new List<Followed>();
@@ -21,6 +21,7 @@ namespace SphFluid
         private readonly StageClock clock;
         private StageTimes times;
         private double elapsed = double.PositiveInfinity;
+        private long dispatches = ComputeKernel.DispatchesRecorded;
         private int frames;
 
         /// <param name="clock">Clock of the stages to begin with.</param>
@@ -60,7 +61,9 @@ namespace SphFluid
             for (int i = followed.Count - 1; i >= 0; i--)
                 if (followed[i].Simulation == null) followed.RemoveAt(i);
             times?.Read(worked);
-            Text = writer.Write(figures, times, FluidStage.All, elapsed / frames);
+            long recorded = ComputeKernel.DispatchesRecorded - dispatches;
+            Text = writer.Write(figures, times, FluidStage.All, elapsed / frames, recorded / (double)frames);
+            dispatches += recorded;
             elapsed = 0.0;
             frames = 0;
         }
@@ -71,27 +74,27 @@ namespace SphFluid
             Followed before = followed[at];
             FluidSolver solver = simulation.Solver;
             if (before.Solver != solver) before = new Followed { Simulation = simulation, Solver = solver };
-            long steps = simulation.StepCount - before.Steps, capped = simulation.CapHits - before.CapHits;
-            figures.Add(Figures(simulation, solver, steps, capped));
-            followed[at] =
-                new Followed { Simulation = simulation, Solver = solver, Steps = simulation.StepCount, CapHits = simulation.CapHits };
-            return steps > 0;
+            Followed now = Now(simulation);
+            figures.Add(Figures(simulation, solver, before, now));
+            followed[at] = now;
+            return now.Steps > before.Steps;
         }
 
         private int IndexOf(FluidSimulation simulation)
         {
             for (int i = 0; i < followed.Count; i++)
                 if (followed[i].Simulation == simulation) return i;
-            followed
-                .Add(new Followed
-                {
-                    Simulation = simulation, Solver = simulation.Solver, Steps = simulation.StepCount,
-                    CapHits = simulation.CapHits
-                });
+            followed.Add(Now(simulation));
             return followed.Count - 1;
         }
 
-        private LiquidFigures Figures(FluidSimulation simulation, FluidSolver solver, long steps, long capped)
+        private static Followed Now(FluidSimulation simulation) => new Followed
+        {
+            Simulation = simulation, Solver = simulation.Solver, Steps = simulation.StepCount,
+            Setups = simulation.Solver?.SetupCount ?? 0, CapHits = simulation.CapHits,
+        };
+
+        private LiquidFigures Figures(FluidSimulation simulation, FluidSolver solver, in Followed before, in Followed now)
         {
             var result = new LiquidFigures
             {
@@ -105,8 +108,9 @@ namespace SphFluid
             result.Slots = solver.Capacity;
             result.Removed = counters.Removed;
             result.Refused = counters.Refused;
-            result.StepsPerFrame = steps / (double)frames;
-            result.CapHits = capped;
+            result.StepsPerFrame = (now.Steps - before.Steps) / (double)frames;
+            result.SetupsPerFrame = (now.Setups - before.Setups) / (double)frames;
+            result.CapHits = now.CapHits - before.CapHits;
             result.MostSteps = simulation.MaxSubstepsPerFrame;
             result.TimeStep = simulation.TimeStep;
             result.RealTimeFactor = simulation.RealTimeFactor;

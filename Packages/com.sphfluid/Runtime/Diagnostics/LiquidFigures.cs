@@ -30,6 +30,9 @@ namespace SphFluid
         /// <summary>Mean steps a frame since the last text.</summary>
         public double StepsPerFrame;
 
+        /// <summary>Mean neighbour set-ups a frame since the last text.</summary>
+        public double SetupsPerFrame;
+
         /// <summary>Frames since the last text that needed more steps than allowed.</summary>
         public long CapHits;
 

@@ -18,10 +18,12 @@ namespace SphFluid
         /// <param name="times">Times of the stages, or null where none are wanted.</param>
         /// <param name="stages">The stages.</param>
         /// <param name="frameTime">Mean time of a frame [s].</param>
-        public string Write(IReadOnlyList<LiquidFigures> liquids, StageTimes times, IReadOnlyList<FluidStage> stages, double frameTime)
+        /// <param name="dispatches">Mean compute dispatches of a frame, of all liquids and their surfaces.</param>
+        public string Write(IReadOnlyList<LiquidFigures> liquids, StageTimes times, IReadOnlyList<FluidStage> stages, double frameTime,
+            double dispatches)
         {
             text.Clear();
-            Add($"SPH Fluid   frame {1e3 * frameTime:0.0} ms");
+            Add($"SPH Fluid   frame {1e3 * frameTime:0.0} ms, {dispatches:0} dispatches");
             if (liquids.Count == 0) text.Append("\nno Fluid Simulation is enabled");
             for (int i = 0; i < liquids.Count; i++) Write(liquids[i]);
             if (times != null) Write(times, stages);
@@ -38,7 +40,7 @@ namespace SphFluid
                 if (liquid.Removed > 0) Add($", {liquid.Removed:N0} removed");
                 if (liquid.Refused > 0) Add($", {liquid.Refused:N0} not born for want of slots");
                 Add($"\n  {liquid.StepsPerFrame:0.0} steps a frame of {1e3 * liquid.TimeStep:0.00} ms");
-                Add($", real time x {liquid.RealTimeFactor:0.00}");
+                Add($", {liquid.SetupsPerFrame:0.0} neighbour set-ups, real time x {liquid.RealTimeFactor:0.00}");
                 text.Append("\n  limited by ").Append(TimeStepAdvice.NameOf(liquid.Limit));
                 if (liquid.CapHits > 0) Add($" and Max Substeps Per Frame, {liquid.MostSteps}");
                 Add($"; {Math.Ceiling(liquid.Bytes / 1048576.0):0} MB");

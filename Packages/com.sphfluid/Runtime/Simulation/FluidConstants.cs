@@ -88,14 +88,8 @@ namespace SphFluid
 
         private static float Hypotenuse(float a, float b) => b > 0f ? (float)System.Math.Sqrt((double)a * a + (double)b * b) : a;
 
-        /// <summary>Liquid volume over the domain's cross-section across gravity, domain volume / domain height [m].</summary>
-        public static float DepthAtRest(in FluidSpec spec, FluidStart start, Vector3 gravity)
-        {
-            Vector3 size = spec.DomainSize;
-            Vector3 up = gravity.normalized;
-            float height = Mathf.Abs(up.x) * size.x + Mathf.Abs(up.y) * size.y + Mathf.Abs(up.z) * size.z;
-            double liquid = start.Count * System.Math.Pow(spec.Spacing, 3);
-            return (float)(liquid / ((double)size.x * size.y * size.z) * height);
-        }
+        /// <summary><see cref="LiquidPotential.DepthAtRest"/> of the liquid of the start [m].</summary>
+        public static float DepthAtRest(in FluidSpec spec, FluidStart start, Vector3 gravity) =>
+            (float)LiquidPotential.DepthAtRest(spec.DomainSize, spec.Spacing, gravity, start.Count);
     }
 }

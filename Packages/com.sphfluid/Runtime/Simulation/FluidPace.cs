@@ -163,7 +163,7 @@ namespace SphFluid
         {
             if (speeds == null) return;
             if (sleep != null) sleep.AddSample(speeds.Sample, time, keepPlaces, forgetPlaces);
-            speeds.Request();
+            speeds.Request(HeadAtRest());
         }
 
         /// <summary>Writes what the next frames go by, once no read-back is under way.</summary>
@@ -277,6 +277,17 @@ namespace SphFluid
             ? FluidConstants.Derive(spec, start, start.Gravity, reference.Speed)
             : FluidConstants.Derive(spec, start, start.Gravity, double.NaN,
                 Math.Sqrt(Math.Max(0.0, reference.Speed * reference.Speed - reference.Most * reference.Most)));
+
+        // Of a particle's share in the square of the head √(2 g D) at the surface of liquid at rest, what its speed of sound does not need:
+        // √(g D/η) over the Sound Speed Ratio is enough there.
+        private double HeadAtRest()
+        {
+            FluidRuleInput rules = spec.Profile.Rules;
+            Vector3 gravity = solver.Settings.Gravity;
+            double needed = 1.0 / (rules.MaxCompression * rules.SoundSpeedRatio * rules.SoundSpeedRatio);
+            return Math.Max(0.0, 2.0 - needed) * gravity.magnitude *
+                LiquidPotential.DepthAtRest(spec.DomainSize, spec.Spacing, gravity, 1);
+        }
 
         // Liquid that starts at rest takes long steps until it falls.
         private float FirstSpeed() =>

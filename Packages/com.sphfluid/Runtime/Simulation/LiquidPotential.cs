@@ -24,6 +24,17 @@ namespace SphFluid
             return lowest;
         }
 
+        /// <summary>
+        /// Depth of particles that rest [m]: their volume over the domain's cross-section across gravity, so the least where solids stand in
+        /// the liquid; 0 without gravity.
+        /// </summary>
+        public static double DepthAtRest(Vector3 domainSize, double spacing, Vector3 gravity, long count)
+        {
+            Vector3 up = gravity.normalized;
+            double height = Math.Abs(up.x) * domainSize.x + Math.Abs(up.y) * domainSize.y + Math.Abs(up.z) * domainSize.z;
+            return count * spacing * spacing * spacing / ((double)domainSize.x * domainSize.y * domainSize.z) * height;
+        }
+
         /// <summary>Largest acceleration in the domain box [m/s²].</summary>
         public static double Acceleration(in FluidSolverSettings settings)
         {

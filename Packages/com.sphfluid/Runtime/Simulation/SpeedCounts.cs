@@ -57,7 +57,8 @@ namespace SphFluid
             return float.PositiveInfinity;
         }
 
-        private static long Count(IReadOnlyList<uint> counts, int kind)
+        /// <summary>How many particles a kind has.</summary>
+        public static long Count(IReadOnlyList<uint> counts, int kind)
         {
             long all = 0;
             for (int bin = 0; bin < Bins; bin++) all += counts[kind + bin];
@@ -77,7 +78,10 @@ namespace SphFluid
         /// <summary>Speed that all but a hundredth do not exceed at the end of the frame [m/s].</summary>
         public float Bulk;
 
-        /// <summary>Speed that all but a hundredth would not exceed at the domain's lowest place, √(v² + 2 g h) [m/s].</summary>
+        /// <summary>
+        /// Speed that all but a hundredth do not exceed now, nor would at the domain's lowest place, √(v² + 2 g h), less what liquid at rest
+        /// has of that without falling [m/s].
+        /// </summary>
         public float Head;
 
         /// <summary>Fastest particle at the end of the frame, up to 6 % too much [m/s].</summary>
@@ -101,11 +105,14 @@ namespace SphFluid
         public int Kept;
 
         /// <summary>From the numbers of a measurement.</summary>
-        public static SpeedSample Evaluate(IReadOnlyList<uint> counts, int kept) => new SpeedSample
+        /// <param name="counts">The numbers.</param>
+        /// <param name="kept">Number of the keeping of places that the distances are from; 0: none.</param>
+        /// <param name="rest">What each particle that is counted takes off the squares of heads, for what cannot fall [m²/s²].</param>
+        public static SpeedSample Evaluate(IReadOnlyList<uint> counts, int kept, double rest) => new SpeedSample
         {
             Fastest = Finite(BitConverter.Int32BitsToSingle(unchecked((int)counts[SpeedCounts.Fastest]))),
             Bulk = SpeedCounts.Quantile(counts, SpeedCounts.Speeds, BulkShare),
-            Head = SpeedCounts.Quantile(counts, SpeedCounts.Heads, BulkShare),
+            Head = HeadOf(counts, rest),
             Present = SpeedCounts.Quantile(counts, SpeedCounts.Speeds, 1.0),
             HalfDistance = SpeedCounts.Quantile(counts, SpeedCounts.Distances, 0.5),
             Distance = SpeedCounts.Quantile(counts, SpeedCounts.Distances, BulkShare),
@@ -113,6 +120,13 @@ namespace SphFluid
             Compression = SpeedCounts.MeanCompression(counts),
             Kept = kept,
         };
+
+        private static float HeadOf(IReadOnlyList<uint> counts, double rest)
+        {
+            double head = SpeedCounts.Quantile(counts, SpeedCounts.Heads, BulkShare);
+            double above = head * head - rest * SpeedCounts.Count(counts, SpeedCounts.Heads);
+            return Math.Max(SpeedCounts.Quantile(counts, SpeedCounts.Speeds, BulkShare), (float)Math.Sqrt(Math.Max(0.0, above)));
+        }
 
         /// <summary>A liquid at a speed without a number has flown apart; the guards report it.</summary>
         public static float Finite(float speed) => speed >= 0f && speed < float.PositiveInfinity ? speed : float.MaxValue;

@@ -65,7 +65,7 @@ namespace SphFluid
 
         /// <summary>The liquid is another one: what was measured before does not count.</summary>
         /// <param name="speed">Fastest particle until a measurement is there [m/s].</param>
-        /// <param name="head">What it would have at the domain's lowest place [m/s].</param>
+        /// <param name="head">Its <see cref="SpeedSample.Head"/> until then [m/s].</param>
         public void Restart(float speed, float head)
         {
             ForgetPlaces();
@@ -114,9 +114,10 @@ namespace SphFluid
         }
 
         /// <summary>Asks for the measurement when it has been given to the GPU.</summary>
-        public void Request()
+        /// <param name="rest">What each particle takes off the squares of heads, <see cref="SpeedSample.Evaluate"/> [m²/s²].</param>
+        public void Request(double rest)
         {
-            var slot = new Slot { Sample = Sample, Kept = hasPlaces ? keepings : 0 };
+            var slot = new Slot { Sample = Sample, Kept = hasPlaces ? keepings : 0, Rest = rest };
             slots[next] = slot;
             next = (next + 1) % Delay;
             if (SystemInfo.supportsAsyncGPUReadback) slot.Request = AsyncGPUReadback.Request(counts, slot.Receive);
@@ -141,6 +142,7 @@ namespace SphFluid
             public SpeedSample Sample;
             public bool Known;
             public int Kept;
+            public double Rest;
 
             public void Receive(AsyncGPUReadbackRequest request)
             {
@@ -148,14 +150,14 @@ namespace SphFluid
                 Known = true;
                 if (request.hasError) return;
                 request.GetData<uint>().CopyTo(Numbers);
-                Sample = SpeedSample.Evaluate(Numbers, Kept);
+                Sample = SpeedSample.Evaluate(Numbers, Kept, Rest);
             }
 
             public void Receive(GraphicsBuffer counts)
             {
                 Known = true;
                 counts.GetData(Numbers);
-                Sample = SpeedSample.Evaluate(Numbers, Kept);
+                Sample = SpeedSample.Evaluate(Numbers, Kept, Rest);
             }
 
             public void Wait()

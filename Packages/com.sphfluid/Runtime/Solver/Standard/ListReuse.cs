@@ -11,23 +11,22 @@ namespace SphFluid
     internal static class ListReuse
     {
         /// <summary>Most steps: more save little.</summary>
-        public const int MostSteps = 8;
+        public const int MostSteps = 16;
+
+        // Of a liquid with forces of its own: tension follows each particle at the surface, the gradient's correction is made with the list.
+        private const int MostStepsWithForces = 8;
 
         // Over R: what two bodies may close between the first step that uses a list and the last, and what a moving triangle may go.
-        private const float MostClosing = 0.6f;
+        private const float MostClosing = 1.2f;
+        private const float MostClosingWithForces = 0.6f;
         private const float MostBodyMotion = 0.3f;
 
         /// <summary>Steps that one sort serves among walls at rest, on a device that holds the lists; 1 or more.</summary>
         /// <param name="settings">The liquid's constants.</param>
         /// <param name="timeStep">Length of a step [s].</param>
         /// <param name="speed">Speed at which bodies of liquid move [m/s].</param>
-        public static int Steps(in FluidSolverSettings settings, double timeStep, double speed)
-        {
-            StandardSettings own = settings.Own<StandardSettings>();
-            int most = own.NeighbourList ? Math.Max(1, Math.Min(MostSteps, own.StepsPerSort)) : 1;
-            double closing = 2.0 * speed * timeStep / settings.SupportRadius;
-            return closing > 0.0 ? (int)Math.Min(most, 1.0 + MostClosing / closing) : most;
-        }
+        public static int Steps(in FluidSolverSettings settings, double timeStep, double speed) =>
+            settings.Own<StandardSettings>().NeighbourList ? Steps(settings, timeStep, speed, double.PositiveInfinity) : 1;
 
         /// <summary>Steps that one sort serves, 1 or more.</summary>
         /// <param name="state">The liquid.</param>
@@ -36,13 +35,21 @@ namespace SphFluid
         /// <param name="speed">Speed at which bodies of liquid move [m/s].</param>
         public static int Steps(StandardState state, int steps, float timeStep, float speed)
         {
-            int most = Math.Max(1, Math.Min(MostSteps, state.Own.StepsPerSort));
-            if (most == 1 || !state.MayListNeighbours) return 1;
-            double closing = 2.0 * speed * timeStep / state.Settings.SupportRadius;
+            if (!state.MayListNeighbours) return 1;
             double bodies = (state.HasBodies && state.Bodies.IsUnderWay ? state.Bodies.LongestMotion : 0f) / Math.Max(1, steps) /
                 state.Settings.SupportRadius;
-            double allowed = 1.0 + Math.Min(closing > 0.0 ? MostClosing / closing : most, bodies > 0.0 ? MostBodyMotion / bodies : most);
-            return allowed < most ? (int)allowed : most;
+            return Steps(state.Settings, timeStep, speed, MostBodyMotion / bodies);
+        }
+
+        private static int Steps(in FluidSolverSettings settings, double timeStep, double speed, double byBodies)
+        {
+            StandardSettings own = settings.Own<StandardSettings>();
+            bool hasForces = false;
+            for (int i = 0; i < StandardForces.All.Count; i++) hasForces |= StandardForces.All[i].Acts(own);
+            int most = Math.Max(1, Math.Min(hasForces ? MostStepsWithForces : MostSteps, own.StepsPerSort));
+            double closing = 2.0 * speed * timeStep / settings.SupportRadius;
+            double allowed = Math.Min((hasForces ? MostClosingWithForces : MostClosing) / closing, byBodies); // infinite at rest
+            return (int)Math.Min(most, 1.0 + allowed);
         }
     }
 }

@@ -38,15 +38,18 @@ namespace SphFluid
         }
 
         /// <summary>
-        /// Sums over the neighbours that an earlier step listed, where the last step left them; lists anew beside walls that bend.
+        /// Sums over the neighbours that are listed already; who is behind a wall that bends is noted anew.
         /// </summary>
-        public void RecordListed(CommandBuffer cmd, StandardState state)
+        /// <param name="cmd">Command buffer.</param>
+        /// <param name="state">The liquid.</param>
+        /// <param name="places">Where the particles are, in the order of the last sort.</param>
+        public void RecordListed(CommandBuffer cmd, StandardState state, FluidBuffer places)
         {
             using (Sample(cmd))
             {
                 Bind(cmd, listed, state);
                 state.List.SetOut(cmd, listed);
-                listed.SetBuffer(cmd, Places, state.Buffers.NewPositions);
+                listed.SetBuffer(cmd, Places, places);
                 listed.DispatchThreads(cmd, state.ParticleCount);
             }
         }

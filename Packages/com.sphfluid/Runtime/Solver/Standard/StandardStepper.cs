@@ -21,6 +21,7 @@ namespace SphFluid
         private KickParticlesPass kickParticles;
         private DiffuseVelocitiesPass diffuseVelocities;
         private DriftParticlesPass driftParticles;
+        private NeighbourList listed; // filled since the last sort
         private bool isLoaded;
         private float listTime;
         private float lastStep;
@@ -58,7 +59,8 @@ namespace SphFluid
         {
             state.RequireList();
             state.RequireCarried(StandardForces.All);
-            bool isAnew = Order == ParticleOrder.Sorted; // the density before is gone
+            bool isAnew = Order == ParticleOrder.Sorted; // constants or walls are others, and the density before is gone
+            if (!isAnew && Order != ParticleOrder.Left) listed = null;
             state.Impact = lastStep > 0f && !isAnew ? StandardRules.Impact(state.Settings, lastStep) : Vector2.zero;
             if (Order == ParticleOrder.Counted)
             {
@@ -82,8 +84,9 @@ namespace SphFluid
                     isKept && !state.Bodies.IsUnderWay);
             }
 
-            if (isKept) density.RecordListed(cmd, state);
+            if (listed == state.List) density.RecordListed(cmd, state, isKept ? state.Buffers.NewPositions : state.Buffers.Positions);
             else density.Record(cmd, state);
+            listed = state.List;
         }
 
         /// <inheritdoc/>

@@ -10,7 +10,8 @@ namespace SphFluid.Tests
     {
         private static readonly LiquidFigures Tank = new LiquidFigures
         {
-            Name = "Tank", State = "running", Runs = true, Particles = 16380, Slots = 16384, StepsPerFrame = 11.25, MostSteps = 64,
+            Name = "Tank", State = "running", Runs = true, Particles = 16380, Slots = 16384, StepsPerFrame = 11.25, SetupsPerFrame = 1.25,
+            MostSteps = 64,
             TimeStep = 1.02e-3,
             RealTimeFactor = 1.0, Limit = TimeStepLimit.Acoustic, Bytes = 34 * 1048576 - 5,
         };
@@ -20,10 +21,10 @@ namespace SphFluid.Tests
         {
             Assert.That(Lines(Tank), Is.EqualTo(new[]
             {
-                "SPH Fluid   frame 16.7 ms",
+                "SPH Fluid   frame 16.7 ms, 98 dispatches",
                 "Tank   running",
                 "  16,380 particles, 16,384 slots",
-                "  11.3 steps a frame of 1.02 ms, real time x 1.00",
+                "  11.3 steps a frame of 1.02 ms, 1.3 neighbour set-ups, real time x 1.00",
                 "  limited by speed of sound; 34 MB",
             }));
         }
@@ -110,8 +111,8 @@ namespace SphFluid.Tests
             Assert.That(FluidOverlay.Place(corner, new Vector2(100f, 50f), new Vector2(800f, 600f)), Is.EqualTo(new Rect(x, y, 100f, 50f)));
 
         private static string[] Lines(params LiquidFigures[] liquids) =>
-            new OverlayText().Write(liquids, null, FluidStage.All, 1.0 / 60.0).Split('\n');
+            new OverlayText().Write(liquids, null, FluidStage.All, 1.0 / 60.0, 98.4).Split('\n');
 
-        private static string Write(StageTimes times) => new OverlayText().Write(Array.Empty<LiquidFigures>(), times, FluidStage.All, 0.01);
+        private static string Write(StageTimes times) => new OverlayText().Write(Array.Empty<LiquidFigures>(), times, FluidStage.All, 0.01, 0.0);
     }
 }

@@ -135,7 +135,7 @@ namespace SphFluid.Tests
                     solver.RecordNeighbourSetup(cmd);
                     pass.Record(cmd, solver, counts);
                 });
-                SpeedSample sample = SpeedSample.Evaluate(GpuTest.Read<uint>(counts, SpeedCounts.Size), 3);
+                SpeedSample sample = SpeedSample.Evaluate(GpuTest.Read<uint>(counts, SpeedCounts.Size), 3, 0.0);
                 Assert.That(sample.Fastest, Is.EqualTo(solver.ReadCountersNow().MaxSpeed).And.Positive);
                 Assert.That(sample.Kept, Is.EqualTo(3));
                 float present = GpuTest.Read<FluidParticle>(solver.Particles, 257).Max(p => p.VelT0.magnitude);
@@ -160,7 +160,7 @@ namespace SphFluid.Tests
                     pass.Record(cmd, solver, counts);
                 });
                 double expected = density.Sum(d => d > solver.Settings.RestDensity ? d / solver.Settings.RestDensity - 1.0 : 0.0) / count;
-                Assert.That(SpeedSample.Evaluate(GpuTest.Read<uint>(counts, SpeedCounts.Size), 0).Compression,
+                Assert.That(SpeedSample.Evaluate(GpuTest.Read<uint>(counts, SpeedCounts.Size), 0, 0.0).Compression,
                     Is.EqualTo(expected).Within(1.0 / 64.0 * ((count + 255) / 256) / count + 1e-4));
             }
         }

@@ -54,9 +54,14 @@ namespace SphFluid.Tests
             counts[SpeedCounts.Heads + 300] = 200;
             counts[SpeedCounts.Heads + 400] = 2;
             counts[SpeedCounts.Fastest] = unchecked((uint)BitConverter.SingleToInt32Bits(7f));
-            SpeedSample sample = SpeedSample.Evaluate(counts, 0);
+            SpeedSample sample = SpeedSample.Evaluate(counts, 0, 0.0);
             Assert.That(sample.Head, Is.EqualTo(SpeedCounts.UpperEdge(300)));
             Assert.That(sample.Fastest, Is.EqualTo(7f));
+            // What cannot fall is taken off, but never of the speed that is there.
+            float head = SpeedCounts.UpperEdge(300);
+            Assert.That(SpeedSample.Evaluate(counts, 0, 0.75 * head * head / 202).Head, Is.EqualTo(0.5f * head).Within(1e-5f * head));
+            counts[100] = 202;
+            Assert.That(SpeedSample.Evaluate(counts, 0, head * head / 202).Head, Is.EqualTo(SpeedCounts.UpperEdge(100)));
             Assert.That(new[] { float.NaN, float.PositiveInfinity, -1f }.Select(SpeedSample.Finite), Is.All.EqualTo(float.MaxValue));
         }
     }

@@ -116,19 +116,20 @@ namespace SphFluid.Tests
             }
         }
 
-        // Two slabs a little farther apart than R that close by 0.8 R in the steps of one list: seen only at the next sort they would go on
-        // as if they were alone.
-        [Test]
-        public void BodiesThatMeetBetweenTwoSortsAreSeenAhead()
+        // Two slabs a little farther apart than R that close by 0.8 or 1.2 R in the steps of one list: seen only at the next sort they would
+        // go on as if they were alone.
+        [TestCase(8, 0.8f)]
+        [TestCase(16, 1.2f)]
+        public void BodiesThatMeetBetweenTwoSortsAreSeenAhead(int steps, float closing)
         {
-            FluidSolverSettings Meeting(int steps)
+            FluidSolverSettings Meeting(int served)
             {
-                FluidSolverSettings settings = Water(steps);
+                FluidSolverSettings settings = Water(served);
                 settings.Gravity = Vector3.zero;
                 return settings;
             }
-            FluidSolverSettings water = Meeting(8);
-            float radius = water.SupportRadius, speed = 0.4f * radius / (7f * water.TimeStep);
+            FluidSolverSettings water = Meeting(steps);
+            float radius = water.SupportRadius, speed = 0.5f * closing * radius / ((steps - 1) * water.TimeStep);
             FluidParticle[] slab = ParticleSets.Lattice(new Vector3Int(2, 6, 6), Spacing, 0f, 1);
             float half = slab.Max(p => p.Position.x) + 0.51f * radius;
             FluidParticle[] start = slab.Select(p => new FluidParticle(p.Position - half * Vector3.right, speed * Vector3.right, p.Id))
@@ -148,7 +149,7 @@ namespace SphFluid.Tests
                 {
                     rig.Solver.FlowSpeed = 0f;
                     GpuTest.Run(cmd => rig.Solver.RecordSteps(cmd, 1));
-                    rig.Steps(8);
+                    rig.Steps(steps);
                     return rig.Particles().OrderBy(p => p.Id).ToArray();
                 }
             }
@@ -163,10 +164,45 @@ namespace SphFluid.Tests
                 int Steps(float speed) => ListReuse.Steps(rig.State, 10, settings.TimeStep, speed);
                 Assert.That(Steps(0f), Is.EqualTo(8));
                 Assert.That(Steps(float.MaxValue), Is.EqualTo(1));
-                float once = 0.3f * settings.SupportRadius / settings.TimeStep; // two bodies at this speed close 0.6 R a step
+                float once = 0.6f * settings.SupportRadius / settings.TimeStep; // two bodies at this speed close 1.2 R a step
                 Assert.That(Steps(1.01f * once), Is.EqualTo(1));
                 Assert.That(Steps(0.99f * once), Is.EqualTo(2));
                 Assert.That(Steps(0.49f * once), Is.EqualTo(3));
+            }
+        }
+
+        // Tension moves each particle of the surface by itself, and a correction of the gradient is made with the list.
+        [Test]
+        public void ForcesOfTheirOwnHaveFresherLists([Values] bool tension)
+        {
+            FluidSolverSettings settings = Water(100), plain = settings;
+            settings = settings.WithOwn((ref StandardSettings own) => (own.SurfaceTension, own.GradientCorrection) = (tension ? 0.07f : 0f, !tension));
+            Assert.That(ListReuse.Steps(plain, 1e-9, 1.0), Is.EqualTo(16));
+            Assert.That(ListReuse.Steps(settings, 1e-9, 1.0), Is.EqualTo(8));
+            double step = 0.299 * settings.SupportRadius; // two bodies at 1 m/s close 0.6 R in it
+            Assert.That((ListReuse.Steps(plain, step, 1.0), ListReuse.Steps(settings, step, 1.0)), Is.EqualTo((3, 2)));
+        }
+
+        // A list that is emptied behind the solver's back tells who reads it.
+        [Test]
+        public void OtherConstantsGoOnWithTheListsThatAreThere()
+        {
+            FluidSolverSettings settings = Water(8), stiffer = settings.WithSoundSpeed(1.5f * settings.SoundSpeed);
+            FluidParticle[] start = ParticleSets.Lattice(new Vector3Int(5, 5, 5), Spacing, 0.1f * Spacing, 3);
+            using (StandardRig rig = new StandardRig(settings, start), fresh = new StandardRig(stiffer, start))
+            {
+                rig.Setup();
+                fresh.Setup();
+                rig.Solver.ApplySettings(stiffer);
+                rig.Setup();
+                Assert.That(rig.Densities(), Is.EqualTo(fresh.Densities()).Within(1e-3f));
+                Assert.That(rig.Pressures(), Is.EqualTo(fresh.Pressures()).Within(0.1f));
+                rig.State.List.Counts.SetData(new uint[start.Length]);
+                rig.Solver.ApplySettings(settings);
+                rig.Setup();
+                Assert.That(rig.Densities().Max(), Is.LessThan(0.6f * fresh.Densities().Min()), "it searches");
+                rig.Steps(1);
+                Assert.That(rig.Densities().Min(), Is.GreaterThan(0.9f * fresh.Densities().Min()), "who steps sorts and lists anew");
             }
         }
 

@@ -148,7 +148,7 @@ namespace SphFluid.Tests
                 foreach (bool areFaces in new[] { true, false, true })
                 {
                     SetFaces(areFaces);
-                    GpuTest.Run(cmd => new StandardDensityPass(rig.Shaders).RecordListed(cmd, rig.State));
+                    GpuTest.Run(cmd => new StandardDensityPass(rig.Shaders).RecordListed(cmd, rig.State, rig.State.Buffers.NewPositions));
                     AssertDensities(rig.Terms(), areFaces);
                 }
 
@@ -195,7 +195,7 @@ namespace SphFluid.Tests
                     return p;
                 }).ToArray();
                 StandardStateRig.Fill(rig.State.Buffers.NewPositions, moved.Select(p => (Vector4)p.Position).ToArray());
-                GpuTest.Run(cmd => new StandardDensityPass(rig.Shaders).RecordListed(cmd, rig.State));
+                GpuTest.Run(cmd => new StandardDensityPass(rig.Shaders).RecordListed(cmd, rig.State, rig.State.Buffers.NewPositions));
                 Vector2[] terms = rig.Terms();
                 Vector4[] places = GpuTest.Read<Vector4>(rig.State.Buffers.PositionTerms, count);
                 Assert.That(places.Select(p => (Vector3)p), Is.EqualTo(moved.Select(p => p.Position)));
@@ -237,7 +237,11 @@ namespace SphFluid.Tests
                 rig.State.Impact = new Vector2(0.5f, free);
                 StandardStateRig.Fill(listed ? rig.State.Buffers.NewPositions : rig.State.Buffers.PositionTerms, places);
                 var pass = new StandardDensityPass(rig.Shaders);
-                GpuTest.Run(cmd => { if (listed) pass.RecordListed(cmd, rig.State); else pass.Record(cmd, rig.State); });
+                GpuTest.Run(cmd =>
+                {
+                    if (listed) pass.RecordListed(cmd, rig.State, rig.State.Buffers.NewPositions);
+                    else pass.Record(cmd, rig.State);
+                });
                 Vector2[] terms = rig.Terms();
                 double c2 = settings.SoundSpeed * (double)settings.SoundSpeed;
                 for (int i = 0; i < count; i++)

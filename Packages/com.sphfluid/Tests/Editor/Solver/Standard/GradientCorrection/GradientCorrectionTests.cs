@@ -29,7 +29,7 @@ namespace SphFluid.Tests
                 var pass = new StandardDensityPass(rig.Shaders);
                 GpuTest.Run(cmd => pass.Record(cmd, rig.State));
                 StandardStateRig.Fill(rig.State.Buffers.NewPositions, particles.Select(p => (Vector4)p.Position).ToArray());
-                if (listed) GpuTest.Run(cmd => pass.RecordListed(cmd, rig.State));
+                if (listed) GpuTest.Run(cmd => pass.RecordListed(cmd, rig.State, rig.State.Buffers.NewPositions));
                 Vector2[] terms = rig.Terms();
                 for (int i = 0; i < count; i++)
                 {
@@ -64,7 +64,11 @@ namespace SphFluid.Tests
                     StandardStateRig.WithW(p.Position, densities[i] - (i % 2 == 0 ? 0.1f : 0.01f) * settings.RestDensity)).ToArray();
                 rig.State.Impact = new Vector2(0.5f, 0.02f * settings.RestDensity);
                 StandardStateRig.Fill(listed ? rig.State.Buffers.NewPositions : rig.State.Buffers.PositionTerms, places);
-                GpuTest.Run(cmd => { if (listed) pass.RecordListed(cmd, rig.State); else pass.Record(cmd, rig.State); });
+                GpuTest.Run(cmd =>
+                {
+                    if (listed) pass.RecordListed(cmd, rig.State, rig.State.Buffers.NewPositions);
+                    else pass.Record(cmd, rig.State);
+                });
                 uint[] after = GpuTest.Read<uint>(buffers.Corrections, 4 * count);
                 rig.FillList(particles, true);
                 buffers.Moments.SetData(Enumerable.Range(0, 6 * count).Select(k => k % 6 < 3 ? 0.8f : 0f).ToArray());
@@ -236,7 +240,9 @@ namespace SphFluid.Tests
         [Test]
         public void ItIsFreeWhereItDoesNotAct()
         {
-            FluidSolverSettings on = CorrectionReference.Corrected(BodyRig.Water(Domain, Spacing, 0.3f));
+            const int served = 4;
+            FluidSolverSettings on = CorrectionReference.Corrected(BodyRig.Water(Domain, Spacing, 0.3f))
+                .WithOwn((ref StandardSettings own) => own.StepsPerSort = served);
             FluidSolverSettings off = on.WithOwn((ref StandardSettings own) => own.GradientCorrection = false);
             FluidParticle[] start = ParticleSets.Lattice(new Vector3Int(6, 5, 6), Spacing, 0.05f * Spacing, 1);
             using (StandardRig never = new StandardRig(off, start), once = new StandardRig(on, start), now = new StandardRig(on, start))
@@ -250,7 +256,7 @@ namespace SphFluid.Tests
                 {
                     rig.Solver.FlowSpeed = 0f;
                     long before = ComputeKernel.DispatchesRecorded;
-                    rig.Steps(2 * ListReuse.MostSteps);
+                    rig.Steps(2 * served);
                     return ComputeKernel.DispatchesRecorded - before;
                 }
                 long without = Dispatches(never);
