@@ -15,6 +15,12 @@ namespace SphFluid
         // s: the margin holds for frames so long. In a longer one the liquid falls on unseen.
         private const double SeenFrame = 0.06;
 
+        // s: and for speeds that are so old. By then bodies of liquid that fall are faster, up to the speed by rule.
+        private const double SeenAge = 0.1;
+
+        // s: no frame of half of it or more is without a step, however soft the liquid.
+        private const double MostStep = 1.0 / 30.0;
+
         // No liquid is measured to be without pressure altogether.
         private const double LeastCompression = 1e-4;
 
@@ -126,10 +132,12 @@ namespace SphFluid
 
         private void Prepare(double deltaTime, double bodyMotion)
         {
-            double gain = solver.Settings.Gravity.magnitude * Math.Max(0.0, deltaTime - SeenFrame);
+            double gravity = solver.Settings.Gravity.magnitude, gain = gravity * Math.Max(0.0, deltaTime - SeenFrame);
             if (speeds != null)
             {
-                solver.FlowSpeed = (float)(SpeedMargin * speeds.Sample.Bulk + gain);
+                double flow = SpeedMargin * speeds.Sample.Bulk, older = (SpeedReadback.Delay + 1) * deltaTime - SeenAge;
+                solver.FlowSpeed = (float)Math.Max(flow,
+                    Math.Min(flow + gravity * Math.Max(0.0, older), reference?.Most ?? solver.Settings.MaxSpeed));
                 solver.PeakSpeed = (float)Math.Max(SpeedMargin * speeds.Sample.Fastest + gain,
                     deltaTime > 0.0 ? bodyMotion / deltaTime : 0.0);
             }
@@ -300,7 +308,7 @@ namespace SphFluid
             double speed = SpeedMargin * speeds.Sample.Fastest + gain;
             if (spec.TimeStepMode != FluidTimeStepMode.Adaptive) speed = Math.Min(speed, settings.MaxSpeed);
             double step = FluidRules.Advise(settings, speed).Step(spec.Profile.Rules.TimeStepFraction);
-            return Math.Max(step, ShortestStep * settings.TimeStep);
+            return Math.Max(Math.Min(step, MostStep), ShortestStep * settings.TimeStep);
         }
     }
 }

@@ -25,8 +25,8 @@ namespace SphFluid
         }
 
         /// <summary>
-        /// Depth of particles that rest [m]: their volume over the domain's cross-section across gravity, so the least where solids stand in
-        /// the liquid; 0 without gravity.
+        /// Depth of particles that rest [m]: their volume over the domain's cross-section across gravity, so the least where solids stand
+        /// in the liquid; 0 without gravity.
         /// </summary>
         public static double DepthAtRest(Vector3 domainSize, double spacing, Vector3 gravity, long count)
         {

@@ -79,8 +79,8 @@ namespace SphFluid
         public float Bulk;
 
         /// <summary>
-        /// Speed that all but a hundredth do not exceed now, nor would at the domain's lowest place, √(v² + 2 g h), less what liquid at rest
-        /// has of that without falling [m/s].
+        /// Speed that all but a hundredth do not exceed now, nor would at the domain's lowest place, √(v² + 2 g h), less what liquid at
+        /// rest has of that without falling [m/s].
         /// </summary>
         public float Head;
 

@@ -179,7 +179,8 @@ namespace SphFluid.Tests
             FluidSolver solver = simulation.Solver;
             for (int i = 0; i < 3; i++) yield return null;
             Assert.That(simulation.Solver, Is.SameAs(solver), "it is not chosen again");
-            Assert.That(simulation.Solver.Settings.SoundSpeed, Is.EqualTo(settings.SoundSpeed).Within(5).Percent, "which follows the liquid");
+            Assert.That(simulation.Solver.Settings.SoundSpeed, Is.EqualTo(settings.SoundSpeed).Within(5).Percent,
+                "which follows the liquid");
         }
 
         [Test]

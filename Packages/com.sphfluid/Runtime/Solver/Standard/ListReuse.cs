@@ -13,7 +13,7 @@ namespace SphFluid
         /// <summary>Most steps: more save little.</summary>
         public const int MostSteps = 16;
 
-        // Of a liquid with forces of its own: tension follows each particle at the surface, the gradient's correction is made with the list.
+        // Of a liquid with forces of its own, which follow each particle at the surface or are made with the lists.
         private const int MostStepsWithForces = 8;
 
         // Over R: what two bodies may close between the first step that uses a list and the last, and what a moving triangle may go.

@@ -113,6 +113,7 @@ namespace SphFluid.Tests
         private static string[] Lines(params LiquidFigures[] liquids) =>
             new OverlayText().Write(liquids, null, FluidStage.All, 1.0 / 60.0, 98.4).Split('\n');
 
-        private static string Write(StageTimes times) => new OverlayText().Write(Array.Empty<LiquidFigures>(), times, FluidStage.All, 0.01, 0.0);
+        private static string Write(StageTimes times) =>
+            new OverlayText().Write(Array.Empty<LiquidFigures>(), times, FluidStage.All, 0.01, 0.0);
     }
 }

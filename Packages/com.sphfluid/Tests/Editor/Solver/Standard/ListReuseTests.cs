@@ -116,8 +116,8 @@ namespace SphFluid.Tests
             }
         }
 
-        // Two slabs a little farther apart than R that close by 0.8 or 1.2 R in the steps of one list: seen only at the next sort they would
-        // go on as if they were alone.
+        // Two slabs a little farther apart than R that close by 0.8 or 1.2 R in the steps of one list: seen only at the next sort they
+        // would go on as if they were alone.
         [TestCase(8, 0.8f)]
         [TestCase(16, 1.2f)]
         public void BodiesThatMeetBetweenTwoSortsAreSeenAhead(int steps, float closing)
@@ -176,7 +176,8 @@ namespace SphFluid.Tests
         public void ForcesOfTheirOwnHaveFresherLists([Values] bool tension)
         {
             FluidSolverSettings settings = Water(100), plain = settings;
-            settings = settings.WithOwn((ref StandardSettings own) => (own.SurfaceTension, own.GradientCorrection) = (tension ? 0.07f : 0f, !tension));
+            settings = settings.WithOwn((ref StandardSettings own) =>
+                (own.SurfaceTension, own.GradientCorrection) = (tension ? 0.07f : 0f, !tension));
             Assert.That(ListReuse.Steps(plain, 1e-9, 1.0), Is.EqualTo(16));
             Assert.That(ListReuse.Steps(settings, 1e-9, 1.0), Is.EqualTo(8));
             double step = 0.299 * settings.SupportRadius; // two bodies at 1 m/s close 0.6 R in it
