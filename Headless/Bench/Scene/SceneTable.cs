@@ -10,7 +10,7 @@ internal static class SceneTable
     public const string Head =
         "table,device,scene,phase,build,commit,particles,frames,steps,rebuilds,dispatches,solver_ms,surface_ms,drawing_ms,cpu_ms,"
         + "against,solver_ratio,solver_ratio_median,solver_ratio_low,solver_ratio_high,"
-        + "surface_ratio,surface_ratio_median,surface_ratio_low,surface_ratio_high,drawing_ratio,cpu_ratio,cpu_ratio_median,cpu_ratio_low,cpu_ratio_high,date";
+        + "surface_ratio,surface_ratio_median,surface_ratio_low,surface_ratio_high,drawing_ratio,cpu_ratio,cpu_ratio_median,cpu_ratio_low,cpu_ratio_high,pass_stamps,date,driver,processor";
 
     /// <summary>Behind these come two columns a pass.</summary>
     public const string FramesHead = "build,phase,frame,steps,dispatches,cpu_ms,";
@@ -26,7 +26,8 @@ internal static class SceneTable
             [
                 "scene", row.Player.DeviceName, scene, row.Phase.Name, isThis ? "this" : "against", row.Player.Build.Commit, Text(row.Player.Particles), Text(row.Numbers.Count),
                 Text(row.Steps), Text(row.Rebuilds), Text(row.Dispatches), Text(row.Solver), Text(row.Surface), Text(row.Drawing), Text(row.Processor),
-                isThis ? against : "", .. Cells(row.SolverRatio), .. Cells(row.SurfaceRatio), Text(row.DrawingRatio.OfSums), .. Cells(row.ProcessorRatio), date,
+                isThis ? against : "", .. Cells(row.SolverRatio), .. Cells(row.SurfaceRatio), Text(row.DrawingRatio.OfSums), .. Cells(row.ProcessorRatio), "1", date,
+                row.Player.Driver, row.Player.Processor,
             ];
             lines.Add(string.Join(',', cells.Select(Quoted)));
         }

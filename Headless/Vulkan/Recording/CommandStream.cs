@@ -36,6 +36,12 @@ internal sealed unsafe class CommandStream
     /// <summary>Closes an open rendering instance; set by the draw commands.</summary>
     public Action LeaveRendering { get; set; } = static () => { };
 
+    /// <summary>Timestamps of open scopes at the end of a submission; set by the timer commands.</summary>
+    public Action PauseTimers { get; set; } = static () => { };
+
+    /// <summary>Their timestamps before the first command of the next; set by the timer commands.</summary>
+    public Action ResumeTimers { get; set; } = static () => { };
+
     /// <summary>First call of every command; a full command buffer is submitted before it.</summary>
     public void Begin(bool insideRendering = false)
     {
@@ -45,6 +51,7 @@ internal sealed unsafe class CommandStream
             SubmitNow();
         }
 
+        ResumeTimers();
         if (!insideRendering)
         {
             LeaveRendering();
@@ -66,6 +73,7 @@ internal sealed unsafe class CommandStream
     private ulong SubmitNow()
     {
         LeaveRendering();
+        PauseTimers();
         if (Current.HasReadbacks)
         {
             ShowToHost();
