@@ -33,6 +33,9 @@ internal sealed unsafe class CommandStream
 
     public long CommandCount { get; private set; }
 
+    /// <summary>Dispatches and draws among them.</summary>
+    public long WorkCount { get; private set; }
+
     /// <summary>Closes an open rendering instance; set by the draw commands.</summary>
     public Action LeaveRendering { get; set; } = static () => { };
 
@@ -65,6 +68,13 @@ internal sealed unsafe class CommandStream
     {
         Current.CommandCount++;
         CommandCount++;
+    }
+
+    /// <summary>In place of <see cref="Count"/> after a dispatch or a draw.</summary>
+    public void CountWork()
+    {
+        WorkCount++;
+        Count();
     }
 
     /// <summary>Submits what is recorded; nothing recorded gives the last ticket again.</summary>

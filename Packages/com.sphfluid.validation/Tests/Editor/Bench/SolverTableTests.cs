@@ -48,6 +48,46 @@ namespace SphFluid.Tests
         }
 
         [Test]
+        public void SizesThatDoNotFitIntoMemoryAreLeftOutAndNamed()
+        {
+            BenchPlan all = BenchPlan.Solver(new[] { 16384, 65536, 262144, 1048576 });
+            double largest = BenchMemory.Of(all, 262144);
+            Assert.That(largest, Is.InRange(3.5 * BenchMemory.Of(all, 65536), 4.5 * BenchMemory.Of(all, 65536)), "bytes go with particles");
+
+            BenchPlan plan = all.Within(largest + CopyBuffers.BytesOfBoth);
+
+            Assert.That(plan.Particles, Is.EqualTo(new[] { 16384, 65536, 262144 }));
+            Assert.That(plan.LeftOut, Does.Contain("1,048,576 (").And.Not.Contain("262,144").And.Contain("--particles"));
+            Assert.That(BenchPlan.Solver(new[] { 16384 }).Within(largest).LeftOut, Is.Null);
+        }
+
+        // Half of a sweep's memory is its largest size: without that all others fit at once.
+        [Test]
+        public void SizesThatAreKeptAtOnceShareTheMemory()
+        {
+            double one = BenchMemory.Of(BenchPlan.Sweep(new[] { 65536 }), 65536);
+            Assert.That(BenchPlan.Sweep(new[] { 65536, 65536, 65536 }).Within(2.5 * one).Particles, Has.Count.EqualTo(2));
+        }
+
+        // As on the device: what a liquid is planned to take is what it takes.
+        [Test]
+        public void PlannedMemoryIsWhatLiquidsTake()
+        {
+            GpuTest.Require();
+            BenchPlan plan = BenchPlan.Solver(new[] { 4096 });
+            long taken = 0;
+            foreach (BenchSolver solver in plan.Solvers)
+            {
+                using (var liquid = new BenchLiquid(TestAssets.Water.Shaders, solver, 4096))
+                {
+                    GpuTest.Run(cmd => liquid.Solver.RecordSteps(cmd, 1));
+                    taken += liquid.Solver.GpuBytes;
+                }
+            }
+            Assert.That(BenchMemory.Of(plan, 4096), Is.EqualTo((double)taken).Within(0.05 * taken));
+        }
+
+        [Test]
         public void GrowthIsTheExponentOverASixteenthOfTheSizeAndMore()
         {
             BenchColumns table =
