@@ -64,15 +64,15 @@ internal static unsafe class LimitReader
     {
         VkPhysicalDeviceMemoryProperties memory;
         Vk.vkGetPhysicalDeviceMemoryProperties(adapter.Handle, &memory);
-        ulong bytes = 0;
+        ulong largest = 0;
         for (int i = 0; i < memory.memoryHeapCount; i++)
         {
             if (memory.memoryHeaps[i].flags.HasFlag(VkMemoryHeapFlags.DeviceLocal))
             {
-                bytes += memory.memoryHeaps[i].size;
+                largest = Math.Max(largest, memory.memoryHeaps[i].size);
             }
         }
 
-        return (long)bytes;
+        return (long)largest;
     }
 }

@@ -6,7 +6,14 @@ namespace Headless.Vulkan;
 internal sealed unsafe class CommandStream
 {
     private const int CommandLimit = 4000;
+
+    // Threads, vertices and pixels of a submission: half a second where each takes 5 ns, as on a slow card the threads of a liquid's step
+    // do. Windows takes a submission of two seconds for a hang and resets the device.
+    private const long WorkLimit = 100_000_000;
     private const long UploadLimit = 128 << 20;
+
+    /// <summary>Work of a dispatch or draw whose size is in a buffer of the device.</summary>
+    public const long UnknownWork = 1_000_000;
 
     public CommandStream(DeviceContext context, SubmissionRing ring, PipelineLibrary pipelines)
     {
@@ -45,11 +52,11 @@ internal sealed unsafe class CommandStream
     /// <summary>Their timestamps before the first command of the next; set by the timer commands.</summary>
     public Action ResumeTimers { get; set; } = static () => { };
 
-    /// <summary>First call of every command; a full command buffer is submitted before it.</summary>
+    /// <summary>First call of every command; a full command buffer is submitted before it, by its commands, what they upload or their work.</summary>
     public void Begin(bool insideRendering = false)
     {
         Submission current = Current;
-        if (current.CommandCount >= CommandLimit || current.Uploads.Used + current.Downloads.Used > UploadLimit)
+        if (current.CommandCount >= CommandLimit || current.Work >= WorkLimit || current.Uploads.Used + current.Downloads.Used > UploadLimit)
         {
             SubmitNow();
         }
@@ -71,8 +78,10 @@ internal sealed unsafe class CommandStream
     }
 
     /// <summary>In place of <see cref="Count"/> after a dispatch or a draw.</summary>
-    public void CountWork()
+    /// <param name="work">Threads, or vertices and pixels.</param>
+    public void CountWork(long work)
     {
+        Current.Work += work;
         WorkCount++;
         Count();
     }
