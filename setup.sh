@@ -11,7 +11,7 @@ cache=${XDG_CACHE_HOME:-${HOME:-$root/Build}/.cache}/sphplayer
 dotnet_major=10
 
 run_packages=(libvulkan1 mesa-vulkan-drivers glslang-tools ffmpeg gnuplot-nox)
-test_packages=(vulkan-validationlayers spirv-tools spirv-cross vkd3d-compiler wine64 gcc-mingw-w64-x86-64 npm)
+test_packages=(vulkan-validationlayers libvulkan-dev gcc libc6-dev spirv-tools spirv-cross vkd3d-compiler wine64 gcc-mingw-w64-x86-64 npm)
 # Runs exported cases in ./test; where the archive does not serve it, the tests that need it are skipped and counted.
 engine_packages=(python3-pysph python3-mpi4py python3-pyzoltan openmpi-bin python3-meshio)
 docs_packages=(doxygen)
@@ -84,7 +84,7 @@ install_packages() {
             command -v doxygen > /dev/null || fail "Doxygen is missing: https://www.doxygen.nl/download.html"
             return
         fi
-        say "this is not a Debian system. Needed are the Vulkan loader and a driver, glslangValidator, ffmpeg and gnuplot$([[ $purpose == test ]] && echo ', the Vulkan validation layers, spirv-val, spirv-cross, vkd3d-compiler, wine64, x86_64-w64-mingw32-gcc and npm')."
+        say "this is not a Debian system. Needed are the Vulkan loader and a driver, glslangValidator, ffmpeg and gnuplot$([[ $purpose == test ]] && echo ', the Vulkan validation layers and headers, gcc, spirv-val, spirv-cross, vkd3d-compiler, wine64, x86_64-w64-mingw32-gcc and npm')."
         return
     fi
     for package in "${packages[@]}"; do

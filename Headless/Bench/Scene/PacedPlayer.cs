@@ -40,6 +40,11 @@ internal sealed class PacedPlayer : IDisposable
 
     /// <summary>The device that summary.json names.</summary>
     public string DeviceName { get; private set; } = "";
+
+    public string Driver { get; private set; } = "";
+
+    /// <summary>Empty where the player is older than its line in summary.json.</summary>
+    public string Processor { get; private set; } = "";
     public long Particles { get; private set; }
 
     /// <summary>Frames from 0; what a frame did is whole after <see cref="Finish"/>.</summary>
@@ -111,6 +116,8 @@ internal sealed class PacedPlayer : IDisposable
         foreach (string[] row in rows.Skip(1).Where(r => r[steps].Length > 0)) Frame(Int(row[0])).Steps = long.Parse(row[steps], CultureInfo.InvariantCulture);
         using var summary = System.Text.Json.JsonDocument.Parse(File.ReadAllBytes(Path.Combine(folder.FullName, "play", "summary.json")));
         DeviceName = summary.RootElement.GetProperty("device").GetString() ?? "";
+        Driver = summary.RootElement.GetProperty("driver").GetString() ?? "";
+        Processor = summary.RootElement.TryGetProperty("processor", out var processor) ? processor.GetString() ?? "" : "";
         Particles = summary.RootElement.TryGetProperty("particles", out var particles) ? particles.GetInt64() : 0;
     }
 

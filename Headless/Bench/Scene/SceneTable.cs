@@ -1,16 +1,17 @@
 using System.Globalization;
+using System.Text.RegularExpressions;
 
 namespace Headless.Bench.Scene;
 
 /// <summary>The rows as scene.csv, the frames as scene-frames.csv, and lines for people.</summary>
-internal static class SceneTable
+internal static partial class SceneTable
 {
     public const string FileName = "scene.csv", FramesFileName = "scene-frames.csv";
 
     public const string Head =
         "table,device,scene,phase,build,commit,particles,frames,steps,rebuilds,dispatches,solver_ms,surface_ms,drawing_ms,cpu_ms,"
         + "against,solver_ratio,solver_ratio_median,solver_ratio_low,solver_ratio_high,"
-        + "surface_ratio,surface_ratio_median,surface_ratio_low,surface_ratio_high,drawing_ratio,cpu_ratio,cpu_ratio_median,cpu_ratio_low,cpu_ratio_high,date";
+        + "surface_ratio,surface_ratio_median,surface_ratio_low,surface_ratio_high,drawing_ratio,cpu_ratio,cpu_ratio_median,cpu_ratio_low,cpu_ratio_high,pass_stamps,date,driver,processor";
 
     /// <summary>Behind these come two columns a pass.</summary>
     public const string FramesHead = "build,phase,frame,steps,dispatches,cpu_ms,";
@@ -26,7 +27,8 @@ internal static class SceneTable
             [
                 "scene", row.Player.DeviceName, scene, row.Phase.Name, isThis ? "this" : "against", row.Player.Build.Commit, Text(row.Player.Particles), Text(row.Numbers.Count),
                 Text(row.Steps), Text(row.Rebuilds), Text(row.Dispatches), Text(row.Solver), Text(row.Surface), Text(row.Drawing), Text(row.Processor),
-                isThis ? against : "", .. Cells(row.SolverRatio), .. Cells(row.SurfaceRatio), Text(row.DrawingRatio.OfSums), .. Cells(row.ProcessorRatio), date,
+                isThis ? against : "", .. Cells(row.SolverRatio), .. Cells(row.SurfaceRatio), Text(row.DrawingRatio.OfSums), .. Cells(row.ProcessorRatio), "1", date,
+                row.Player.Driver, row.Player.Processor,
             ];
             lines.Add(string.Join(',', cells.Select(Quoted)));
         }
@@ -38,14 +40,12 @@ internal static class SceneTable
     /// <summary>Solver, surface and drawing times of the rows "this" of an earlier table, by phase.</summary>
     public static Dictionary<string, (double Solver, double Surface, double Drawing)> Read(string file)
     {
-        string[][] lines = [.. File.ReadLines(file).Select(line => line.Split(','))];
+        string[][] lines = [.. File.ReadLines(file).Select(Cells)];
         if (lines.Length == 0 || !lines[0].Contains("solver_ms")) throw new UsageException($"--against: '{file}' is no table of --table scene.");
-        int Column(string name) => Array.IndexOf(lines[0], name);
-        // Behind a device's name, which may hold a comma, columns are counted from the end.
-        double Cell(string[] line, string name) => double.Parse(line[line.Length - lines[0].Length + Column(name)], CultureInfo.InvariantCulture);
-        return lines.Skip(1).Where(line => line[line.Length - lines[0].Length + Column("build")] == "this").ToDictionary(
-            line => line[line.Length - lines[0].Length + Column("phase")],
-            line => (Cell(line, "solver_ms"), Cell(line, "surface_ms"), Cell(line, "drawing_ms")));
+        string Cell(string[] line, string name) => line[Array.IndexOf(lines[0], name)];
+        double Number(string[] line, string name) => double.Parse(Cell(line, name), CultureInfo.InvariantCulture);
+        return lines.Skip(1).Where(line => Cell(line, "build") == "this").ToDictionary(
+            line => Cell(line, "phase"), line => (Number(line, "solver_ms"), Number(line, "surface_ms"), Number(line, "drawing_ms")));
     }
 
     public static void Say(IReadOnlyList<SceneRow> rows, SceneOptions options)
@@ -82,6 +82,13 @@ internal static class SceneTable
     private static string[] Cells(Ratio ratio) => [Text(ratio.OfSums), Text(ratio.Median), Text(ratio.Low), Text(ratio.High)];
 
     private static string Text(double value) => double.IsFinite(value) ? value.ToString("G6", CultureInfo.InvariantCulture) : "";
+
+    // A comma within quotes is one of its cell; a quote there is written twice.
+    private static string[] Cells(string line) =>
+        [.. Cell().Matches(line).Select(m => m.Groups["quoted"].Success ? m.Groups["quoted"].Value.Replace("\"\"", "\"") : m.Groups["plain"].Value)];
+
+    [GeneratedRegex("""(?<=^|,)(?:"(?<quoted>(?:[^"]|"")*)"|(?<plain>[^,]*))""")]
+    private static partial Regex Cell();
 
     private static string Quoted(string cell) => cell.AsSpan().IndexOfAny(',', '"') < 0 ? cell : $"\"{cell.Replace("\"", "\"\"")}\"";
 }

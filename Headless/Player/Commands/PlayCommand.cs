@@ -215,7 +215,7 @@ internal sealed class PlayCommand : IDisposable
         Vulkan.GpuDevice device = GraphicsDevice.Device;
         SummaryFile.Write(SummaryPath,
         [
-            ("device", device.Adapter.Name), ("driver", device.Adapter.Driver), ("scene", scene),
+            ("device", device.Adapter.Name), ("driver", device.Adapter.Driver), ("processor", SystemInfo.processorType), ("scene", scene),
             ("simulated_s", frames > 0 ? Time.timeAsDouble : 0), ("wall_s", clock.Elapsed.TotalSeconds),
             ("frames", frames), ("fps", options.Fps), ("width", options.Width), ("height", options.Height),
             ("gpu_memory_bytes", device.AllocatedBytes), ("interrupted", interruption.Requested), ("errors", console.Errors),

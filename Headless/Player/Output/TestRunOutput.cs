@@ -6,13 +6,13 @@ namespace Headless.Player.Output;
 
 /// <summary>
 /// Passes the test runner's lines on, with the console's lines of a test only when it failed: tests of errors log them on
-/// purpose. Counts the tests during which commands for the device were recorded.
+/// purpose. Counts the tests that ran a shader: buffers that are filled, as those of poisoned memory, or read are no use of the GPU.
 /// </summary>
 internal sealed class TestRunOutput(TextWriter target) : TextWriter
 {
     private const string Passed = "  pass  ", Failed = "  FAIL  ";
     private readonly List<string> console = [];
-    private long commands;
+    private long work;
 
     public int UsedGpu { get; private set; }
 
@@ -23,9 +23,9 @@ internal sealed class TestRunOutput(TextWriter target) : TextWriter
         bool failed = value?.StartsWith(Failed, StringComparison.Ordinal) == true;
         if (failed || value?.StartsWith(Passed, StringComparison.Ordinal) == true)
         {
-            long now = GraphicsDevice.Recorder.CommandCount;
-            if (now != commands) UsedGpu++;
-            commands = now;
+            long now = GraphicsDevice.Recorder.WorkCount;
+            if (now != work) UsedGpu++;
+            work = now;
             if (failed)
                 foreach (string line in console) target.WriteLine("        " + line);
             console.Clear();

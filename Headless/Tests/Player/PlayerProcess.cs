@@ -36,22 +36,25 @@ internal sealed class PlayerProcess
     }
 
     /// <summary>Runs it with a folder for its temporary files.</summary>
-    public static PlayerProcess RunIn(string folder, params string[] words)
+    public static PlayerProcess RunIn(string folder, params string[] words) => RunWith([("TMPDIR", folder)], words);
+
+    /// <summary>Runs it with variables of the environment.</summary>
+    public static PlayerProcess RunWith((string Name, string Value)[] variables, params string[] words)
     {
-        using Process process = Start(words, ("TMPDIR", folder));
+        using Process process = Start(words, variables);
         return Finish(process);
     }
 
     /// <summary>Starts it so that it takes SIGINT, which a shell's background job (command &amp;) hands down as ignored.</summary>
-    public static Process Start(params string[] words) => Start(words, ("", ""));
+    public static Process Start(params string[] words) => Start(words, []);
 
-    private static Process Start(string[] words, (string Name, string Value) variable)
+    private static Process Start(string[] words, (string Name, string Value)[] variables)
     {
         string program = Path.Combine(AppContext.BaseDirectory, "sphplayer.dll");
         string[] command = ["dotnet", program, .. words];
         if (TakesDefaultSignal.Value) command = ["env", DefaultSignal, .. command];
         var start = new ProcessStartInfo(command[0], command[1..]) { RedirectStandardOutput = true, RedirectStandardError = true };
-        if (variable.Name.Length > 0) start.Environment[variable.Name] = variable.Value;
+        foreach ((string name, string value) in variables) start.Environment[name] = value;
         return Process.Start(start)!;
     }
 

@@ -12,6 +12,7 @@ public sealed class TimingTests : RenderFixture
     [Test]
     public void MarkersBecomeGpuTimes()
     {
+        GpuTimings.Finished += Nothing;
         ComputeShader shader = Compute("""
             #pragma kernel Main
             RWStructuredBuffer<float> _Values;
@@ -46,6 +47,35 @@ public sealed class TimingTests : RenderFixture
         Assert.That(inner, Is.GreaterThan(0.0));
         Assert.That(outer, Is.GreaterThanOrEqualTo(inner * 0.9));
         Assert.That(GpuTimings.TotalMilliseconds, Is.EqualTo(outer).Within(1e-6), "only outermost scopes are summed");
+    }
+
+    [Test]
+    public void OnlyMarkersThatARecorderListensToAreTimed()
+    {
+        const ProfilerRecorderOptions Gpu = ProfilerRecorderOptions.Default | ProfilerRecorderOptions.GpuRecorder;
+        using ProfilerRecorder heard = ProfilerRecorder.StartNew(ProfilerCategory.Render, "HeardTest", 1, Gpu);
+        using ProfilerRecorder stopped = ProfilerRecorder.StartNew(ProfilerCategory.Render, "StoppedTest", 1, Gpu);
+        using ProfilerRecorder processor = ProfilerRecorder.StartNew(ProfilerCategory.Render, "ProcessorTest");
+        stopped.Stop();
+        using var commands = new CommandBuffer();
+        foreach (string marker in new[] { "HeardTest", "StoppedTest", "ProcessorTest", "UnheardTest" })
+        {
+            commands.BeginSample(marker);
+            commands.EndSample(marker);
+        }
+
+        GpuTimings.Reset();
+        Graphics.ExecuteCommandBuffer(commands);
+        GraphicsDevice.Device.WaitIdle();
+        Frame();
+        Assert.That(GpuTimings.Total.Keys, Is.EqualTo(new[] { "HeardTest" }));
+    }
+
+    [TearDown]
+    public void StopListening() => GpuTimings.Finished -= Nothing;
+
+    private static void Nothing(string marker, double milliseconds)
+    {
     }
 
     [Test]

@@ -22,10 +22,10 @@ public sealed partial class TestScriptTests
     {
         string script = File.ReadAllText(Path.Combine(Conformance.ReleaseBuildTests.FindUp("Headless/Play.slnx"), "test"));
         string[] made = Regex.Match(script, "^shared='(.*?)'", RegexOptions.Multiline).Groups[1].Value.Split(' ');
-        Assert.That(made, Is.EquivalentTo(CheckOptions.Flags.Single(f => f.Name == "--only").Choices!.Append("direct3d").Append("pictures")));
+        Assert.That(made, Is.EquivalentTo(CheckOptions.Flags.Single(f => f.Name == "--only").Choices!.Append("direct3d").Append("card").Append("pictures")));
     }
 
-    [GeneratedRegex(@"^(?:direct3d|picture)_tests\+?='.*'$", RegexOptions.Multiline)]
+    [GeneratedRegex(@"^(?:direct3d|picture|card)_tests\+?='.*'$", RegexOptions.Multiline)]
     private static partial Regex Assignments();
 
     [GeneratedRegex(@"\b[A-Z]\w*Tests\b")]

@@ -56,6 +56,45 @@ public sealed class TimerTests : DeviceFixture
         Assert.That(Device.CollectTimers().Single().Milliseconds, Is.GreaterThan(0));
     }
 
+    // 5 ticks in one submission and 7 in the next, which began 1,000 later; the clock of 8 bits starts again between 253 and 4.
+    [Test]
+    public void AScopeHasTheTimeOfItsPartsWithoutWhatLiesBetweenSubmissions([Values(8, 36, 64)] int bits)
+    {
+        TimestampClock clock = new(100, bits);
+        TimerScope scope = new(1, "cut", 0);
+        foreach ((ulong begin, ulong end) in new[] { (10UL, 15UL), bits == 8 ? (253UL, 4UL) : (1015UL, 1022UL) })
+        {
+            scope.Await();
+            scope.Await();
+            scope.Take(begin, isEnd: false, clock);
+            Assert.That(scope.IsDone, Is.False);
+            scope.Take(end, isEnd: true, clock);
+        }
+
+        scope.IsOpen = false;
+        Assert.That(scope.IsDone, Is.True);
+        Assert.That(scope.Result(clock).Milliseconds, Is.EqualTo(12 * 100e-6).Within(1e-9));
+    }
+
+    [Test]
+    public void ALaterTimestampThatTheDeviceTookFirstIsNoTime([Values(36, 64)] int bits) =>
+        Assert.That(new TimestampClock(1, bits).Between(1000, 990), Is.Zero);
+
+    [Test]
+    public void ScopesThatNothingIsRecordedInAfterASubmissionEndWithIt()
+    {
+        using GpuBuffer buffer = StorageBuffer(256);
+        int outer = Recorder.BeginTimer("outer");
+        int inner = Recorder.BeginTimer("inner");
+        Work(buffer);
+        ulong ticket = Recorder.Submit();
+        Recorder.EndTimer(inner);
+        Recorder.EndTimer(outer);
+        Assert.That(Recorder.Submit(), Is.EqualTo(ticket), "nothing was left to submit");
+        Device.WaitIdle();
+        Assert.That(Device.CollectTimers().Select(timer => timer.Name), Is.EqualTo(new[] { "outer", "inner" }));
+    }
+
     // Without a dependence a rasterizer on the CPU would take both of the inner scope's timestamps after its work.
     [Test]
     public void WorkIsTimedInItsOwnScope()

@@ -14,7 +14,6 @@ static class PlayerLoop
             return;
         }
         FrameClock.BeginFrame();
-        ProfilerFrames.BeginFrame();
         EngineHooks.BeginFrame?.Invoke();
         SceneLoading.RunPending();
         PhysicsWorld.ResetPoses();
@@ -44,7 +43,6 @@ static class PlayerLoop
     static void RunEditFrame()
     {
         FrameClock.BeginFrame();
-        ProfilerFrames.BeginFrame();
         EngineHooks.BeginFrame?.Invoke();
         EngineHooks.EditorUpdate?.Invoke();
         ScriptSchedule.RunStarts();

@@ -8,14 +8,13 @@ static class ProfilerFrames
 {
     static readonly object s_Lock = new();
     static readonly List<ProfilerRecorderData> s_Recorders = new();
-    static bool s_Attached;
 
-    /// <summary>Finished device scopes appear as the GPU values of the marker of the same name.</summary>
-    public static void BeginFrame()
+    /// <summary>Whether anything asks for the GPU times of a marker: no others are taken.</summary>
+    public static bool ListenToGpu(string marker)
     {
-        if (s_Attached) return;
-        s_Attached = true;
-        GpuTimings.Finished += static (marker, milliseconds) => ProfilerMarkerData.Of(marker).AddGpu((long)Math.Round(milliseconds * 1e6), 1);
+        lock (s_Lock)
+            if (s_Recorders.Exists(r => r.ListensToGpu(marker))) return true;
+        return ProfilerMarkerData.Find(marker) is { HasRecorder: true };
     }
 
     public static void Add(ProfilerRecorderData recorder)

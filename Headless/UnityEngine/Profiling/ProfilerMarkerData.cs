@@ -17,6 +17,9 @@ sealed class ProfilerMarkerData(string name)
     int m_GpuCount;
 
     public string Name { get; } = name;
+
+    /// <summary>Whether a script holds its <see cref="UnityEngine.Profiling.Recorder"/>.</summary>
+    public bool HasRecorder { get; set; }
     public long LastCpuNanoseconds { get; private set; }
     public int LastCpuCount { get; private set; }
     public long LastGpuNanoseconds { get; private set; }

@@ -16,6 +16,7 @@ sealed class ProfilerRecorderData(string statName, int capacity, ProfilerRecorde
     public bool IsCounter => ProfilerCounters.Has(statName);
     public bool IsValid => IsCounter || ProfilerMarkerData.Find(statName) is not null;
     public ProfilerMarkerDataUnit Unit => !IsCounter ? ProfilerMarkerDataUnit.TimeNanoseconds : ProfilerCounterValue.Find(statName)?.Unit ?? ProfilerMarkerDataUnit.Undefined;
+    public bool ListensToGpu(string marker) => Gpu && marker == statName;
     bool Gpu => (options & ProfilerRecorderOptions.GpuRecorder) != 0;
 
     public long CurrentValue => IsCounter ? ProfilerCounters.Read(statName) : ProfilerMarkerData.Find(statName)?.CurrentCpuNanoseconds ?? 0;

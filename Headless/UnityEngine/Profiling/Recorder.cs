@@ -7,7 +7,11 @@ public sealed class Recorder
 {
     readonly ProfilerMarkerData? m_Data;
 
-    internal Recorder(ProfilerMarkerData? data) => m_Data = data;
+    internal Recorder(ProfilerMarkerData? data)
+    {
+        m_Data = data;
+        if (data is not null) data.HasRecorder = true;
+    }
 
     public static Recorder Get(string samplerName) => new(ProfilerMarkerData.Of(samplerName));
 

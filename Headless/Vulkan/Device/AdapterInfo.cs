@@ -6,7 +6,9 @@ namespace Headless.Vulkan;
 /// <param name="Driver">Driver name and version text.</param>
 /// <param name="Type">DiscreteGpu, IntegratedGpu, VirtualGpu, Cpu or Other.</param>
 /// <param name="ApiVersion">Highest Vulkan version the device speaks, for example "1.3.230".</param>
-public sealed record AdapterInfo(int Index, string Name, string Driver, string Type, string ApiVersion)
+/// <param name="VendorId">Number of the vendor, for example 0x10de.</param>
+/// <param name="DeviceId">The vendor's number of the device.</param>
+public sealed record AdapterInfo(int Index, string Name, string Driver, string Type, string ApiVersion, int VendorId = 0, int DeviceId = 0)
 {
     /// <summary>One line for lists and error messages.</summary>
     public override string ToString() => $"{Index}: {Name} [{Type}, Vulkan {ApiVersion}, {Driver}]";

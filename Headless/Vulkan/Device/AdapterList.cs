@@ -55,7 +55,8 @@ internal static unsafe class AdapterList
         Vk.vkGetPhysicalDeviceProperties2(handle, &properties);
         VkPhysicalDeviceProperties core = properties.properties;
         string driverText = $"{Utf8Texts.Read(driver.driverName)} {Utf8Texts.Read(driver.driverInfo)}".Trim();
-        AdapterInfo info = new(index, Utf8Texts.Read(core.deviceName), driverText, DeviceText.Type(core.deviceType), DeviceText.Version(core.apiVersion));
+        AdapterInfo info = new(index, Utf8Texts.Read(core.deviceName), driverText, DeviceText.Type(core.deviceType),
+            DeviceText.Version(core.apiVersion), (int)core.vendorID, (int)core.deviceID);
         string key = Convert.ToHexStringLower(new ReadOnlySpan<byte>(core.pipelineCacheUUID, 16));
         return new PhysicalAdapter(handle, info, core, $"{core.vendorID:x4}-{core.deviceID:x4}-{key}");
     }

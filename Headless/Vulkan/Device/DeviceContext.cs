@@ -12,9 +12,9 @@ internal sealed unsafe class DeviceContext : IDisposable
         Instance = instance;
         Physical = physical;
         Features = features;
-        Limits = LimitReader.Read(physical, features, out uint family, out float period);
+        Limits = LimitReader.Read(physical, features, out uint family, out TimestampClock timestamps);
         QueueFamily = family;
-        TimestampPeriod = period;
+        Timestamps = timestamps;
         Handle = CreateDevice();
         VkQueue queue;
         Vk.vkGetDeviceQueue(Handle, family, 0, &queue);
@@ -38,8 +38,7 @@ internal sealed unsafe class DeviceContext : IDisposable
 
     public uint QueueFamily { get; }
 
-    /// <summary>Nanoseconds of a timestamp tick.</summary>
-    public float TimestampPeriod { get; }
+    public TimestampClock Timestamps { get; }
 
     public MemoryAllocator Memory { get; }
 

@@ -12,7 +12,7 @@ public sealed record GpuLimits
     /// <summary>Largest single memory allocation.</summary>
     public required long MaxAllocationSize { get; init; }
 
-    /// <summary>Device-local memory in all heaps.</summary>
+    /// <summary>Device-local memory: the largest heap, of which smaller ones may be windows.</summary>
     public required long DeviceMemory { get; init; }
 
     /// <summary>Threads in one compute group.</summary>

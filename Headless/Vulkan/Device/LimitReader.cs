@@ -5,14 +5,14 @@ namespace Headless.Vulkan;
 /// <summary>Collects the limits that callers ask for, and the queue that does all work.</summary>
 internal static unsafe class LimitReader
 {
-    public static GpuLimits Read(PhysicalAdapter adapter, DeviceFeatures features, out uint family, out float timestampPeriod)
+    public static GpuLimits Read(PhysicalAdapter adapter, DeviceFeatures features, out uint family, out TimestampClock timestamps)
     {
         VkPhysicalDeviceVulkan11Properties v11 = new();
         VkPhysicalDeviceProperties2 properties = new() { pNext = &v11 };
         Vk.vkGetPhysicalDeviceProperties2(adapter.Handle, &properties);
         VkPhysicalDeviceLimits limits = properties.properties.limits;
         VkQueueFamilyProperties queue = FindQueue(adapter, out family);
-        timestampPeriod = limits.timestampPeriod;
+        timestamps = new TimestampClock(limits.timestampPeriod, (int)queue.timestampValidBits);
         return new GpuLimits
         {
             MaxStorageBufferRange = limits.maxStorageBufferRange,
@@ -64,15 +64,15 @@ internal static unsafe class LimitReader
     {
         VkPhysicalDeviceMemoryProperties memory;
         Vk.vkGetPhysicalDeviceMemoryProperties(adapter.Handle, &memory);
-        ulong bytes = 0;
+        ulong largest = 0;
         for (int i = 0; i < memory.memoryHeapCount; i++)
         {
             if (memory.memoryHeaps[i].flags.HasFlag(VkMemoryHeapFlags.DeviceLocal))
             {
-                bytes += memory.memoryHeaps[i].size;
+                largest = Math.Max(largest, memory.memoryHeaps[i].size);
             }
         }
 
-        return (long)bytes;
+        return (long)largest;
     }
 }

@@ -22,7 +22,7 @@ internal sealed unsafe class HostBlock : IDisposable
         Buffer = buffer;
         VkMemoryRequirements requirements;
         Vk.vkGetBufferMemoryRequirements(context.Handle, buffer, &requirements);
-        VkMemoryPropertyFlags wished = readback ? VkMemoryPropertyFlags.HostCached : VkMemoryPropertyFlags.None;
+        VkMemoryPropertyFlags wished = readback ? VkMemoryPropertyFlags.HostCached : VkMemoryPropertyFlags.DeviceLocal;
         memory = context.Memory.AllocateHost(requirements, wished, name);
         Vk.vkBindBufferMemory(context.Handle, buffer, memory, 0).Check($"Binding the {name} buffer");
         void* mapped;

@@ -81,13 +81,24 @@ internal sealed unsafe class MemoryAllocator : IDisposable
         }
     }
 
-    /// <summary>Memory that the host can map: with as many of the wished properties as there is a type for.</summary>
+    /// <summary>
+    /// Memory that the host can map: of the wished properties where there is a type for them that is not full. Often a card shows the host
+    /// 256 MiB of its own.
+    /// </summary>
     public VkDeviceMemory AllocateHost(VkMemoryRequirements requirements, VkMemoryPropertyFlags wished, string name)
     {
         const VkMemoryPropertyFlags Needed = VkMemoryPropertyFlags.HostVisible | VkMemoryPropertyFlags.HostCoherent;
+        string what = $"Allocating {DeviceText.Size((long)requirements.size)} of host memory for '{name}'";
         int type = FindType(requirements.memoryTypeBits, Needed, wished)
             ?? throw new GpuException($"'{name}': the device has no host-visible memory.");
-        return AllocateMemory(requirements.size, (uint)type, $"Allocating {DeviceText.Size((long)requirements.size)} of host memory for '{name}'", null);
+        try
+        {
+            return AllocateMemory(requirements.size, (uint)type, what, null);
+        }
+        catch (GpuException) when (FindType(requirements.memoryTypeBits & ~(1u << type), Needed, VkMemoryPropertyFlags.None) is { } other)
+        {
+            return AllocateMemory(requirements.size, (uint)other, what, null);
+        }
     }
 
     public void Dispose()

@@ -34,6 +34,9 @@ public sealed class CommandRecorder
     /// <summary>Dispatches, draws, copies, fills and clears recorded so far by this device.</summary>
     public long CommandCount => stream.CommandCount;
 
+    /// <summary>Dispatches and draws among them: what runs shaders.</summary>
+    public long WorkCount => stream.WorkCount;
+
     /// <summary>Runs x * y * z groups; 0 groups in a dimension record nothing.</summary>
     /// <exception cref="GpuException">A resource of the kernel is not bound, or a group count is over the limit.</exception>
     public void Dispatch(GpuComputePipeline pipeline, ResourceBindings bindings, uint x, uint y, uint z) =>

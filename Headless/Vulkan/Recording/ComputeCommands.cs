@@ -24,7 +24,7 @@ internal sealed class ComputeCommands(CommandStream stream)
         stream.Hazards.Commit(stream.Commands);
         stream.Binder.Bind(stream.Commands, pipeline);
         Vk.vkCmdDispatch(stream.Commands, x, y, z);
-        stream.Count();
+        stream.CountWork((long)x * y * z * pipeline.Shader.GroupX * pipeline.Shader.GroupY * pipeline.Shader.GroupZ);
     }
 
     public void DispatchIndirect(GpuComputePipeline pipeline, ResourceBindings bindings, GpuBuffer arguments, long offset)
@@ -35,7 +35,7 @@ internal sealed class ComputeCommands(CommandStream stream)
         stream.Hazards.Commit(stream.Commands);
         stream.Binder.Bind(stream.Commands, pipeline);
         Vk.vkCmdDispatchIndirect(stream.Commands, arguments.Handle, (ulong)offset);
-        stream.Count();
+        stream.CountWork(CommandStream.UnknownWork);
     }
 
     /// <summary>Throws unless <paramref name="bytes"/> of arguments lie in a buffer for indirect use.</summary>

@@ -58,7 +58,7 @@ internal sealed unsafe class DrawCommands
 
         Prepare(pipeline, bindings, indexed: false, null);
         Vk.vkCmdDraw(stream.Commands, vertices, instances, firstVertex, firstInstance);
-        stream.Count();
+        stream.CountWork(((long)vertices * instances) + Pixels);
     }
 
     public void DrawIndexed(
@@ -71,7 +71,7 @@ internal sealed unsafe class DrawCommands
 
         Prepare(pipeline, bindings, indexed: true, null);
         Vk.vkCmdDrawIndexed(stream.Commands, indices, instances, firstIndex, baseVertex, firstInstance);
-        stream.Count();
+        stream.CountWork(((long)indices * instances) + Pixels);
     }
 
     public void DrawIndirect(GpuRenderPipeline pipeline, ResourceBindings bindings, GpuBuffer arguments, long offset)
@@ -79,7 +79,7 @@ internal sealed unsafe class DrawCommands
         ComputeCommands.CheckArguments(arguments, offset, sizeof(VkDrawIndirectCommand), $"Indirect draw of '{pipeline.Name}'");
         Prepare(pipeline, bindings, indexed: false, arguments);
         Vk.vkCmdDrawIndirect(stream.Commands, arguments.Handle, (ulong)offset, 1, (uint)sizeof(VkDrawIndirectCommand));
-        stream.Count();
+        stream.CountWork(CommandStream.UnknownWork + Pixels);
     }
 
     public void DrawIndexedIndirect(GpuRenderPipeline pipeline, ResourceBindings bindings, GpuBuffer arguments, long offset)
@@ -87,8 +87,10 @@ internal sealed unsafe class DrawCommands
         ComputeCommands.CheckArguments(arguments, offset, sizeof(VkDrawIndexedIndirectCommand), $"Indirect draw of '{pipeline.Name}'");
         Prepare(pipeline, bindings, indexed: true, arguments);
         Vk.vkCmdDrawIndexedIndirect(stream.Commands, arguments.Handle, (ulong)offset, 1, (uint)sizeof(VkDrawIndexedIndirectCommand));
-        stream.Count();
+        stream.CountWork(CommandStream.UnknownWork + Pixels);
     }
+
+    private long Pixels => (long)scope.Width * scope.Height;
 
     private void Prepare(GpuRenderPipeline pipeline, ResourceBindings bindings, bool indexed, GpuBuffer? arguments)
     {

@@ -49,6 +49,9 @@ internal sealed unsafe class Submission : IDisposable
 
     public int CommandCount { get; set; }
 
+    /// <summary>Threads of its dispatches, vertices and pixels of its draws.</summary>
+    public long Work { get; set; }
+
     public bool HasReadbacks => readbacks.Count > 0;
 
     /// <summary>Nothing would happen if it were submitted.</summary>
@@ -58,6 +61,7 @@ internal sealed unsafe class Submission : IDisposable
     {
         Ticket = ticket;
         CommandCount = 0;
+        Work = 0;
         Vk.vkResetCommandPool(context.Handle, pool, 0).Check("Resetting a command pool");
         VkCommandBufferBeginInfo info = new() { flags = VkCommandBufferUsageFlags.OneTimeSubmit };
         Vk.vkBeginCommandBuffer(Commands, &info).Check("Beginning a command buffer");

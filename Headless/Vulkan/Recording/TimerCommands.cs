@@ -2,16 +2,30 @@ using Headless.Vulkan.Native;
 
 namespace Headless.Vulkan;
 
-/// <summary>Nested timer scopes; they may span submissions.</summary>
-internal sealed unsafe class TimerCommands(CommandStream stream)
+/// <summary>
+/// Nested timer scopes. A scope has the time of its commands alone: where it spans submissions, the time between them, in which the
+/// device may wait for the next, is no part of it.
+/// </summary>
+internal sealed unsafe class TimerCommands
 {
+    private readonly CommandStream stream;
     private readonly List<TimerScope> open = [];
     private readonly Queue<TimerScope> pending = new();
+    private bool paused;
     private int lastId;
+
+    public TimerCommands(CommandStream stream)
+    {
+        this.stream = stream;
+        stream.PauseTimers = Pause;
+        stream.ResumeTimers = Resume;
+    }
 
     public int Begin(string name)
     {
-        TimerScope scope = new(++lastId, name, open.Count) { Skipped = !stream.Context.Limits.Timestamps };
+        SubmitWhenFull();
+        Resume();
+        TimerScope scope = new(++lastId, name, open.Count);
         open.Add(scope);
         pending.Enqueue(scope);
         Mark(scope, isEnd: false);
@@ -26,9 +40,14 @@ internal sealed unsafe class TimerCommands(CommandStream stream)
             throw new InvalidOperationException($"Timer {id} cannot end here: {innermost}. Timers close in reverse order.");
         }
 
+        SubmitWhenFull();
         TimerScope scope = open[^1];
         open.RemoveAt(open.Count - 1);
-        Mark(scope, isEnd: true);
+        scope.IsOpen = false;
+        if (!paused)
+        {
+            Mark(scope, isEnd: true);
+        }
     }
 
     /// <summary>Finished scopes in the order they began; an unfinished one holds back those after it.</summary>
@@ -37,22 +56,47 @@ internal sealed unsafe class TimerCommands(CommandStream stream)
         List<TimerResult> results = [];
         while (pending.TryPeek(out TimerScope? scope) && scope.IsDone)
         {
-            results.Add(pending.Dequeue().Result(stream.Context.TimestampPeriod));
+            results.Add(pending.Dequeue().Result(stream.Context.Timestamps));
         }
 
         return results;
     }
 
-    private void Mark(TimerScope scope, bool isEnd)
+    /// <summary>The last commands of a submission.</summary>
+    private void Pause()
     {
-        if (scope.Skipped)
+        if (!paused)
         {
-            return;
+            open.ForEach(scope => Mark(scope, isEnd: true));
         }
 
+        paused = true;
+    }
+
+    /// <summary>Before the first command of the next.</summary>
+    private void Resume()
+    {
+        if (paused)
+        {
+            open.ForEach(scope => Mark(scope, isEnd: false));
+        }
+
+        paused = false;
+    }
+
+    private void SubmitWhenFull()
+    {
         if (stream.Current.Timestamps.IsFull)
         {
             stream.Submit();
+        }
+    }
+
+    private void Mark(TimerScope scope, bool isEnd)
+    {
+        if (!stream.Context.Limits.Timestamps)
+        {
+            return;
         }
 
         Submission submission = stream.Current;

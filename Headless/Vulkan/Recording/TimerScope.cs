@@ -1,32 +1,34 @@
 namespace Headless.Vulkan;
 
-/// <summary>A timer scope until both of its timestamps are in.</summary>
+/// <summary>A timer scope until all of its timestamps are in: two of each submission that it has a part of.</summary>
 internal sealed class TimerScope(int id, string name, int depth)
 {
-    private ulong? begin;
-    private ulong? end;
+    private ulong begin;
+    private ulong ticks;
+    private int awaited;
 
     public int Id { get; } = id;
 
     public int Depth { get; } = depth;
 
-    /// <summary>No timestamp will come: the device has none.</summary>
-    public bool Skipped { get; set; }
+    public bool IsOpen { get; set; } = true;
 
-    public bool IsDone => Skipped || (begin is not null && end is not null);
+    public bool IsDone => !IsOpen && awaited == 0;
 
-    public void Take(ulong ticks, bool isEnd)
+    public void Await() => awaited++;
+
+    public void Take(ulong timestamp, bool isEnd, TimestampClock clock)
     {
+        awaited--;
         if (isEnd)
         {
-            end = ticks;
+            ticks += clock.Between(begin, timestamp);
         }
         else
         {
-            begin = ticks;
+            begin = timestamp;
         }
     }
 
-    public TimerResult Result(float nanosecondsPerTick) =>
-        new(Id, name, begin <= end ? (double)(end - begin)! * nanosecondsPerTick * 1e-6 : 0, Depth);
+    public TimerResult Result(TimestampClock clock) => new(Id, name, ticks * (double)clock.NanosecondsPerTick * 1e-6, Depth);
 }

@@ -30,7 +30,8 @@ internal sealed unsafe class TimestampLog : IDisposable
 
     public int Count => count;
 
-    public bool IsFull => count == Capacity;
+    /// <summary>What is left is for the end of the submission, where all open scopes share one.</summary>
+    public bool IsFull => count == Capacity - 1;
 
     /// <summary>Whether a timestamp now would say anything that the last one does not.</summary>
     public bool IsDue(int commandCount) => commandCount != commandsAtLast || count == 0;
@@ -54,6 +55,7 @@ internal sealed unsafe class TimestampLog : IDisposable
             commandsAtLast = commandCount;
         }
 
+        scope.Await();
         waiting.Add((scope, isEnd, count - 1));
     }
 
@@ -73,7 +75,7 @@ internal sealed unsafe class TimestampLog : IDisposable
 
         foreach ((TimerScope scope, bool isEnd, int query) in waiting)
         {
-            scope.Take(ticks[query], isEnd);
+            scope.Take(ticks[query], isEnd, context.Timestamps);
         }
 
         waiting.Clear();

@@ -29,6 +29,18 @@ namespace SphFluid.Laboratory
         /// <returns>Bytes.</returns>
         public static long SizeOf(params GraphicsBuffer[] buffers) => GpuBuffers.Size(buffers);
 
+        /// <summary>Bytes that a solver takes, its list of neighbours included.</summary>
+        /// <param name="settings">The liquid's constants.</param>
+        /// <param name="particles">Number of particles.</param>
+        /// <param name="hasMesh">Whether a mesh stands in the liquid; its triangles are not counted.</param>
+        /// <returns>Bytes.</returns>
+        /// <exception cref="FluidDeviceException">A buffer is larger than the device allows.</exception>
+        public static long PlannedBytes(in FluidSolverSettings settings, int particles, bool hasMesh)
+        {
+            FluidMethod method = FluidMethods.Get(settings.Method);
+            return method.PlannedBytes(method.Prepare(settings), particles, hasMesh);
+        }
+
         /// <summary>Disposes a buffer and forgets it.</summary>
         /// <param name="buffer">The buffer, or null.</param>
         public static void Dispose(ref GraphicsBuffer buffer) => GpuBuffers.Dispose(ref buffer);

@@ -80,7 +80,7 @@ internal sealed class CommandContext(DrawTarget? cameraTarget, NamedTemporaries 
         UnityEngine.Camera.current = before;
     }
 
-    public void BeginSample(string name) => samples.Push((name, GraphicsDevice.Recorder.BeginTimer(name)));
+    public void BeginSample(string name) => samples.Push((name, GpuTimings.Begin(name)));
 
     public void EndSample(string name)
     {
@@ -90,7 +90,7 @@ internal sealed class CommandContext(DrawTarget? cameraTarget, NamedTemporaries 
             return;
         }
 
-        GraphicsDevice.Recorder.EndTimer(samples.Pop().Timer);
+        GpuTimings.End(samples.Pop().Timer);
     }
 
     /// <summary>Closes samples that the commands left open.</summary>
@@ -99,7 +99,7 @@ internal sealed class CommandContext(DrawTarget? cameraTarget, NamedTemporaries 
         while (samples.TryPop(out (string Name, int Timer) sample))
         {
             Debug.LogError($"CommandBuffer: BeginSample(\"{sample.Name}\") has no EndSample.");
-            GraphicsDevice.Recorder.EndTimer(sample.Timer);
+            GpuTimings.End(sample.Timer);
         }
     }
 }

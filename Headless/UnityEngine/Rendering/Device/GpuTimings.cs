@@ -4,7 +4,10 @@ using Headless.Vulkan;
 
 namespace Headless.Engine;
 
-/// <summary>GPU milliseconds by marker name, as far as the device has finished them.</summary>
+/// <summary>
+/// GPU milliseconds by marker name, as far as the device has finished them. A timestamp is work between the passes for a device, so
+/// markers that nothing listens to are not timed.
+/// </summary>
 internal static class GpuTimings
 {
     private static readonly Dictionary<string, (double Milliseconds, int Count)> Frame = new(StringComparer.Ordinal);
@@ -21,8 +24,17 @@ internal static class GpuTimings
 
     public static double TotalMilliseconds { get; private set; }
 
-    /// <summary>Receives each finished scope by name with its milliseconds.</summary>
+    /// <summary>Receives each finished scope by name with its milliseconds: all markers are timed while anything waits for it.</summary>
     public static event Action<string, double>? Finished;
+
+    /// <summary>Opens a marker's scope where something listens; what it returns goes to <see cref="End"/>.</summary>
+    public static int Begin(string marker) =>
+        Finished is not null || ProfilerFrames.ListenToGpu(marker) ? GraphicsDevice.Recorder.BeginTimer(marker) : 0;
+
+    public static void End(int scope)
+    {
+        if (scope != 0) GraphicsDevice.Recorder.EndTimer(scope);
+    }
 
     public static void Collect()
     {
@@ -38,6 +50,7 @@ internal static class GpuTimings
                 TotalMilliseconds += result.Milliseconds;
             }
 
+            ProfilerMarkerData.Of(result.Name).AddGpu((long)Math.Round(result.Milliseconds * 1e6), 1);
             Finished?.Invoke(result.Name, result.Milliseconds);
         }
     }

@@ -13,6 +13,8 @@ public sealed partial class SystemInfo
 
     public static string graphicsDeviceName => GraphicsDevice.Device.Adapter.Name;
     public static string graphicsDeviceVendor => GraphicsDevice.Device.Adapter.Driver;
+    public static int graphicsDeviceVendorID => GraphicsDevice.Device.Adapter.VendorId;
+    public static int graphicsDeviceID => GraphicsDevice.Device.Adapter.DeviceId;
     public static string graphicsDeviceVersion => $"Direct3D 11.0 [level 11.0] on Vulkan {GraphicsDevice.Device.Adapter.ApiVersion}";
     public static GraphicsDeviceType graphicsDeviceType => GraphicsDevice.IsReady ? GraphicsDeviceType.Direct3D11 : GraphicsDeviceType.Null;
     public static int graphicsMemorySize => (int)(Limits.DeviceMemory >> 20);

@@ -71,9 +71,9 @@ internal static class FrameRenderer
             return;
         }
 
-        int timer = GraphicsDevice.Recorder.BeginTimer("RenderPipeline.Render");
+        int timer = GpuTimings.Begin("RenderPipeline.Render");
         pipeline.Render(cameras);
-        GraphicsDevice.Recorder.EndTimer(timer);
+        GpuTimings.End(timer);
     }
 
     private static void RenderBuiltin(Camera camera)
@@ -81,7 +81,7 @@ internal static class FrameRenderer
         Camera? before = Camera.current;
         DrawTarget? targetBefore = TargetState.Current;
         Camera.current = camera;
-        int timer = GraphicsDevice.Recorder.BeginTimer("Camera.Render");
+        int timer = GpuTimings.Begin("Camera.Render");
         try
         {
             Forward.Render(camera);
@@ -89,7 +89,7 @@ internal static class FrameRenderer
         finally
         {
             TargetState.Set(targetBefore);
-            GraphicsDevice.Recorder.EndTimer(timer);
+            GpuTimings.End(timer);
             Camera.current = before;
             FinalTarget = null;
         }

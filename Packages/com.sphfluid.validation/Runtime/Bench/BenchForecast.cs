@@ -12,7 +12,8 @@ namespace SphFluid.Validation
     {
         // Of a sample beside its frames: the saved state put back, a step or a sort before it, waiting for times.
         private const double SampleOverhead = 0.2;
-        private const int WarmUps = 1;
+        // The one that is thrown away, and the one in which the passes are timed.
+        private const int OtherSamples = 2;
 
         // Work in particle-steps of the Standard method: of the thesis method's step, of a surface and of whitewater for each particle; for
         // each cell of a dense grid, and of a sparse one for each square of cells across, as many as its surface is large; of water's
@@ -39,9 +40,9 @@ namespace SphFluid.Validation
             items
                 .Add(new Item(FallKey(solver, particles), BenchLiquid.SettleSteps * Work(particles, WeightOf(solver)) * secondsPerWork, 1));
 
-        /// <summary>Adds a row: a sample to warm up, and those that count.</summary>
+        /// <summary>Adds a row: a sample to warm up, one of its passes, and those that count.</summary>
         public void AddRow(BenchConfig config, int particles) =>
-            items.Add(new Item(RowKey(config, particles), SecondsOfSample(config, particles), WarmUps + samples));
+            items.Add(new Item(RowKey(config, particles), SecondsOfSample(config, particles), OtherSamples + samples));
 
         /// <summary>Takes note of a fall.</summary>
         public void TakeFall(BenchSolver solver, int particles, double seconds) => Take(FallKey(solver, particles), seconds);

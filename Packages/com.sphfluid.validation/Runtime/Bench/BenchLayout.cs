@@ -29,7 +29,8 @@ namespace SphFluid.Validation
         private protected TableFormat<BenchRow> AddTimes() =>
             Format.Number("dispatches", row => (double)row.Dispatches / System.Math.Max(1, row.Config.Steps))
             .Number("gpu_ms_median", row => row.Frame.Median).Number("gpu_ms_min", row => row.Frame.Minimum)
-            .Number("gpu_ms_max", row => row.Frame.Maximum);
+            .Number("gpu_ms_max", row => row.Frame.Maximum)
+            .Flag("pass_stamps", row => false).Number("gpu_ms_stamped", row => row.Passes.Frame);
 
         /// <summary>Adds a column a part of a frame.</summary>
         private protected void AddParts(string prefix, IEnumerable<string> parts, Func<BenchRow, int, double> value)
@@ -40,9 +41,11 @@ namespace SphFluid.Validation
             }
         }
 
-        /// <summary>Adds how often it was measured.</summary>
+        /// <summary>Adds how often it was measured, and with what.</summary>
         private protected TableFormat<BenchRow> AddSamples() =>
-            Format.Count("samples", row => row.SampleCount).Count("frames", row => row.FrameCount).Text("date", row => row.Date);
+            Format.Count("samples", row => row.SampleCount).Count("frames", row => row.FrameCount).Text("date", row => row.Date)
+            .Text("driver", row => row.Machine.Driver).Text("processor", row => row.Machine.Processor)
+            .Text("commit", row => row.Machine.Commit).Number("clock_mhz", row => row.Clock);
 
         /// <summary>A ratio for people; empty where there is none.</summary>
         private protected static string Short(double value) => double.IsNaN(value) ? ""

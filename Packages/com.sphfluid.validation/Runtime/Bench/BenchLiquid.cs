@@ -68,6 +68,13 @@ namespace SphFluid.Validation
             mesh?.Dispose();
         }
 
+        /// <summary>Spacing of that many particles, and about the height of their block [m].</summary>
+        internal static void Sizes(int count, out float spacing, out float height)
+        {
+            spacing = (float)Math.Pow(Volume / count, 1.0 / 3.0);
+            height = 0.5f * Edge;
+        }
+
         /// <summary>
         /// Exactly <paramref name="count"/> particles, layer by layer from the floor; the top layer may be partly filled.
         /// </summary>

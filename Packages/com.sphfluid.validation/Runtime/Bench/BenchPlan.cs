@@ -1,6 +1,8 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using UnityEngine;
+using static System.FormattableString;
 
 namespace SphFluid.Validation
 {
@@ -51,7 +53,7 @@ namespace SphFluid.Validation
         /// <summary>Rows that are not measured, as a sentence; null when all are.</summary>
         public string LeftOut { get; private set; }
 
-        public IReadOnlyList<int> Particles { get; }
+        public IReadOnlyList<int> Particles { get; private set; }
 
         /// <summary>What is timed within a frame.</summary>
         public IReadOnlyList<BenchBlock> Blocks { get; }
@@ -143,6 +145,33 @@ namespace SphFluid.Validation
 
         /// <summary>The configurations at a number of particles.</summary>
         public IReadOnlyList<BenchConfig> ConfigsOf(int count) => Configs.Where(c => !isLeftOut(c, count)).ToList();
+
+        /// <summary>Leaves out the numbers of particles that do not fit into some bytes of GPU memory, and names them.</summary>
+        public BenchPlan Within(double bytes)
+        {
+            double taken = NeedsCopySpeed ? CopyBuffers.BytesOfBoth : 0.0;
+            var fitting = new List<int>();
+            var missing = new List<string>();
+            foreach (int particles in Particles)
+            {
+                double needed = taken + BenchMemory.Of(this, particles);
+                if (needed > bytes)
+                {
+                    missing.Add(
+                        double.IsInfinity(needed) ? Invariant($"{particles:N0} (a buffer that is larger than the device allows)")
+                            : Invariant($"{particles:N0} ({needed / 1e9:F1} GB)"));
+                    continue;
+                }
+                fitting.Add(particles);
+                if (!SizeBySize) taken = needed;
+            }
+            if (missing.Count == 0) return this;
+            string left = $"{Name}: left out for want of memory: {string.Join(", ", missing)}; " +
+                Invariant($"{SystemInfo.graphicsDeviceName} has {bytes / 1e9:F1} GB for a table. With --particles they are measured.");
+            LeftOut = LeftOut == null ? left : $"{LeftOut} {left}";
+            Particles = fitting;
+            return this;
+        }
 
         private static bool IsSlowOnCpu(BenchConfig config) => config.Kind == BenchSurfaceKind.Geometry &&
             config.Grid > MostCpuGeometryCells;

@@ -60,8 +60,17 @@ namespace SphFluid.Validation
         /// <summary>The surface that was drawn last; all nothing without one.</summary>
         public BenchSurfaceFacts Surface { get; set; }
 
+        /// <summary>What it was measured with.</summary>
+        public BenchMachine Machine { get; set; } = BenchMachine.None;
+
+        /// <summary>Clock of the graphics card right after a sample [MHz]; not a number where nothing tells it.</summary>
+        public double Clock { get; set; } = double.NaN;
+
         /// <summary>What is to be known when the row is read; empty when nothing.</summary>
         public string Note { get; set; } = "";
+
+        /// <summary>The sample in which the passes were timed too; the others have none of their times.</summary>
+        public BenchTimes Passes { get; set; }
 
         /// <summary>Number of samples.</summary>
         public int SampleCount => samples.Count;
@@ -78,19 +87,19 @@ namespace SphFluid.Validation
         /// <summary>Millions of particles stepped a second of GPU time.</summary>
         public double MillionParticleSteps => Particles * FramesPerSecond * 1e-6;
 
-        /// <summary>Sum of the blocks over the frame, median of the samples.</summary>
-        public double BlocksOverStep => SampleStatistics.Of(samples.Select(s => s.BlocksOverTotal).ToList()).Median;
+        /// <summary>Sum of the blocks over the frame.</summary>
+        public double BlocksOverStep => Passes.BlocksOverTotal;
 
-        /// <summary>GPU time of a block in a frame, median of the samples [ms].</summary>
+        /// <summary>GPU time of a block in a frame [ms].</summary>
         /// <param name="index">Number of the block.</param>
-        public double Block(int index) => SampleStatistics.Of(samples.Select(s => s.Block(index)).ToList()).Median;
+        public double Block(int index) => Passes.Block(index);
 
         /// <summary>Neighbour setups a step.</summary>
-        public double Rebuilds => (double)samples.Sum(s => s.Setups) / FrameCount;
+        public double Rebuilds => (double)Passes.Setups / Passes.Frames;
 
-        /// <summary>Part of a frame's GPU time that a block takes, median of the samples.</summary>
+        /// <summary>Part of a frame's GPU time that a block takes.</summary>
         /// <param name="index">Number of the block.</param>
-        public double Share(int index) => SampleStatistics.Of(samples.Select(s => s.Block(index) / s.Frame).ToList()).Median;
+        public double Share(int index) => Passes.Block(index) / Passes.Frame;
 
         /// <summary>
         /// GPU time of the neighbour setup before the frames of a sample, and no part of them, median of the samples [ms]; not a number

@@ -35,6 +35,13 @@ namespace SphFluid.Validation
         /// <summary>Least GPU time of a sample [ms].</summary>
         public double SampleMilliseconds { get; set; }
 
+        /// <summary>Whether the passes inside a frame are timed too, which takes time itself; false at first.</summary>
+        public bool TimesPasses
+        {
+            get => clock.TimesPasses;
+            set => clock.TimesPasses = value;
+        }
+
         /// <summary>Times of the last sample or submission.</summary>
         public BenchTimes Last { get; private set; }
 

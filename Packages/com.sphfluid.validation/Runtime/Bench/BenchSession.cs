@@ -98,7 +98,10 @@ namespace SphFluid.Validation
             }
         }
 
-        private IEnumerable<BenchPlan> Plans()
+        private IEnumerable<BenchPlan> Plans() =>
+            arguments.Particles == null ? AllPlans().Select(plan => plan.Within(BenchMemory.Most)) : AllPlans();
+
+        private IEnumerable<BenchPlan> AllPlans()
         {
             string missing = MeasuredGeometrySurface.MissingSupport();
             if (arguments.Includes(BenchArguments.ThesisTable))

@@ -8,8 +8,9 @@ using System.Linq;
 namespace SphFluid.Validation
 {
     /// <summary>
-    /// Measures rows of one table: settles the liquids, takes a sample of every row that is thrown away, then round after round one
-    /// sample of every row, so that a slow change of the machine affects all rows alike. The file is written after every round.
+    /// Measures rows of one table: settles the liquids, takes a sample of every row that is thrown away and one in which its passes are
+    /// timed, then round after round one sample of every row, so that a slow change of the machine affects all rows alike. The file is
+    /// written after every round.
     /// </summary>
     internal sealed class BenchTableRun : IDisposable
     {
@@ -49,8 +50,17 @@ namespace SphFluid.Validation
             for (int i = 0; i < rows.Count; i++)
             {
                 Show($"warming up row {i + 1} of {rows.Count}, {Title(rows[i])}");
-                yield return Measure(rows[i], false);
+                yield return Measure(rows[i]);
             }
+            sampler.TimesPasses = true;
+            for (int i = 0; i < rows.Count; i++)
+            {
+                Show($"passes of row {i + 1} of {rows.Count}, {Title(rows[i])}");
+                yield return Measure(rows[i]);
+                rows[i].Passes = sampler.Last;
+                rows[i].Clock = CardClock.Megahertz();
+            }
+            sampler.TimesPasses = false;
             progress
                 .Say(
                     $"{plan.Name}: warming up took {SessionProgress.Duration(clock.Elapsed)}; {SessionProgress.About(Forecast.Left)} " +
@@ -60,7 +70,8 @@ namespace SphFluid.Validation
                 for (int i = 0; i < rows.Count; i++)
                 {
                     Show($"round {round + 1} of {arguments.Samples}, {Title(rows[i])}");
-                    yield return Measure(rows[i], true);
+                    yield return Measure(rows[i]);
+                    Keep(rows[i]);
                 }
                 table.Write();
             }
@@ -125,6 +136,7 @@ namespace SphFluid.Validation
                 Cells = solver.CellCount,
                 Triangles = liquid.TriangleCount,
                 CopySpeed = copySpeed,
+                Machine = BenchMachine.This,
                 Peers = table.Rows,
                 Note = limited ? "graphics-limited" : "",
             };
@@ -133,7 +145,7 @@ namespace SphFluid.Validation
             liquidOf.Add(row, liquid);
         }
 
-        private IEnumerator Measure(BenchRow row, bool keep)
+        private IEnumerator Measure(BenchRow row)
         {
             var clock = Stopwatch.StartNew();
             frameTimes.TryGetValue(row, out double expected);
@@ -141,7 +153,6 @@ namespace SphFluid.Validation
             row.Dispatches = sampler.Dispatches;
             row.IsListed = liquidOf[row].Solver.ListsNeighbours;
             row.Surface = sampler.FactsOf(row.Config);
-            if (keep) Keep(row);
             Forecast.TakeSample(row.Config, row.Particles, clock.Elapsed.TotalSeconds);
             frameTimes[row] = sampler.Last.Frame;
         }

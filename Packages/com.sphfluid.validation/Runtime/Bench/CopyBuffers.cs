@@ -18,6 +18,9 @@ namespace SphFluid.Validation
         /// <summary>Samples of a measurement; one more before them is thrown away.</summary>
         public const int Samples = 5;
 
+        /// <summary>Bytes that it takes.</summary>
+        public const double BytesOfBoth = 2.0 * Bytes;
+
         private const int Bytes = 64 * 1024 * 1024;
         private const int Stride = 16;
 

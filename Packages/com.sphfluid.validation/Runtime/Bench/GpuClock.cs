@@ -13,8 +13,7 @@ namespace SphFluid.Validation
     {
         private const int Capacity = 64;
         private const int SetupIndex = -1; // recorders that count
-        private const ProfilerRecorderOptions Options = ProfilerRecorderOptions.Default | ProfilerRecorderOptions.GpuRecorder |
-            ProfilerRecorderOptions.StartImmediately;
+        private const ProfilerRecorderOptions Options = ProfilerRecorderOptions.Default | ProfilerRecorderOptions.GpuRecorder;
 
         private readonly List<ProfilerRecorderSample> samples = new List<ProfilerRecorderSample>();
         private readonly List<ProfilerRecorder> recorders = new List<ProfilerRecorder>();
@@ -32,8 +31,26 @@ namespace SphFluid.Validation
             {
                 foreach (string marker in blocks[i].Markers) Listen(marker, i);
             }
-            Listen(FrameBlocks.Frame, blockCount);
             foreach (string marker in FrameBlocks.Setup) Listen(marker, SetupIndex);
+            Listen(FrameBlocks.Frame, blockCount);
+            recorders[recorders.Count - 1].Start();
+        }
+
+        /// <summary>
+        /// Whether the passes inside a frame are timed too. A device takes the times of a pass by work between the passes, which then is a
+        /// part of the frame's time.
+        /// </summary>
+        public bool TimesPasses
+        {
+            get => recorders[0].IsRunning;
+            set
+            {
+                for (int i = 0; i < recorders.Count - 1; i++)
+                {
+                    if (value) recorders[i].Start();
+                    else recorders[i].Stop();
+                }
+            }
         }
 
         /// <summary>

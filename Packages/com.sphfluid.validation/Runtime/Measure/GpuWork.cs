@@ -7,8 +7,10 @@ namespace SphFluid.Validation
     /// <summary>Commands that are recorded and submitted at once.</summary>
     internal static class GpuWork
     {
-        // One submission: bounded so that no driver takes it for a hang.
+        // One submission: bounded so that no driver takes it for a hang, in steps, and in particle-steps of which a slow card does as many
+        // in a tenth of a second.
         private const int StepsPerSubmission = 50;
+        private const int WorkPerSubmission = 1 << 22;
 
         /// <summary>Submits commands.</summary>
         /// <param name="name">Name in frame debuggers.</param>
@@ -28,9 +30,10 @@ namespace SphFluid.Validation
         /// <param name="steps">Number of steps.</param>
         public static void Step(string name, FluidSolver solver, long steps)
         {
-            for (; steps > 0; steps -= StepsPerSubmission)
+            int most = Math.Max(1, Math.Min(StepsPerSubmission, WorkPerSubmission / Math.Max(1, solver.ParticleCount)));
+            for (; steps > 0; steps -= most)
             {
-                int now = (int)Math.Min(StepsPerSubmission, steps);
+                int now = (int)Math.Min(most, steps);
                 Submit(name, cmd => solver.RecordSteps(cmd, now));
             }
         }

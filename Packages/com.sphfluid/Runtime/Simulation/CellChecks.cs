@@ -10,9 +10,6 @@ namespace SphFluid
     /// </summary>
     internal static class CellChecks
     {
-        // Bytes of the longest buffer's element: first and end of a cell's particles.
-        private const int CellStride = 8;
-
         // What a cure's spacing is enlarged by, so that its rounding to three digits does not undo it.
         private const double Margin = 1.01;
 
@@ -38,7 +35,7 @@ namespace SphFluid
 
         /// <summary>Most cells that a method may have on this device.</summary>
         public static long Most(FluidMethodKind method) =>
-            Math.Min(FluidMethods.Get(method).MaxCells, SystemInfo.maxGraphicsBufferSize / CellStride);
+            Math.Min(FluidMethods.Get(method).MaxCells, (long)(SystemInfo.maxGraphicsBufferSize / CellRows.BytesPerCell));
 
         /// <summary>Least spacing at which the domain's cells are few enough [m].</summary>
         public static float FittingSpacing(in FluidSpec spec)

@@ -19,10 +19,15 @@ namespace SphFluid.Validation
             .Number("seek_ms_median", r => r.SeekMedian)
             .Number("seek_ms_max", r => r.SeekMost)
             .Text("device", r => r.Device)
-            .Text("date", r => r.Date);
+            .Text("date", r => r.Date)
+            .Text("driver", r => r.Machine.Driver)
+            .Text("processor", r => r.Machine.Processor)
+            .Text("commit", r => r.Machine.Commit);
 
         /// <summary>Whether each frame is shown as it is, or particles between frames too.</summary>
         public string Mode = "";
+
+        public BenchMachine Machine = BenchMachine.This;
 
         public long Particles, Frames, FileBytes;
 

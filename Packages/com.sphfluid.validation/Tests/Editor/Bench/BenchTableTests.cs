@@ -45,11 +45,11 @@ namespace SphFluid.Tests
             Assert.That(lines, Has.Length.EqualTo(2), "rows without samples are left out");
             Assert.That(lines[0],
                 Is.EqualTo("table,device,config,method,surface,particles,grid,spacing,support,neighbours_mean,dispatches," +
-                "gpu_ms_median,gpu_ms_min,gpu_ms_max,steps_per_s,mpsteps_per_s,gpu_ms.First,gpu_ms.Second," +
-                "blocks_over_step,samples,frames,date,published_fps_gtx_580,published_fps_gtx_430,note"));
+                "gpu_ms_median,gpu_ms_min,gpu_ms_max,pass_stamps,gpu_ms_stamped,steps_per_s,mpsteps_per_s,gpu_ms.First,gpu_ms.Second," +
+                "blocks_over_step,samples,frames,date,driver,processor,commit,clock_mhz,published_fps_gtx_580,published_fps_gtx_430,note"));
             Assert.That(lines[1],
                 Is.EqualTo("thesis,\"A \"\"fast\"\" one, with 2 cores\",sph_mc,thesis,marching-cubes-gs,16384,64,0.025,0.05,30.5,36," +
-                "4,2,8,250,4.096,1,2,0.75,3,6,2026-11-21,314,277,graphics-limited"));
+                "4,2,8,0,5,250,4.096,1,2,0.6,3,6,2026-11-21,,,,1980,314,277,graphics-limited"));
         }
 
         [Test]
@@ -135,6 +135,8 @@ namespace SphFluid.Tests
             row.Add(new BenchTimes(1, 8.0, new[] { 2.0, 4.0 }));
             row.Add(new BenchTimes(4, 16.0, new[] { 4.0, 8.0 }));
             row.Add(new BenchTimes(1, 2.0, new[] { 0.5, 1.0 }));
+            row.Passes = new BenchTimes(2, 10.0, new[] { 2.0, 4.0 });
+            row.Clock = 1980.0;
             var table = new BenchColumns(new ThesisLayout("thesis", new[] { "First", "Second" }), "A \"fast\" one, with 2 cores",
                 "2026-11-21");
             table.Add(row);

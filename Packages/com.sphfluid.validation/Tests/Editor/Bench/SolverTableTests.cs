@@ -33,16 +33,58 @@ namespace SphFluid.Tests
             var row = new BenchRow(BenchConfig.StepsAtOnce(BenchSolver.Standard),
                 1000)
             { NeighboursMean = 30.0, CandidatesMean = 195.0, Dispatches = 72, CopySpeed = 1e9 };
-            row.Add(new BenchTimes(2, 96.0, new[] { 12.0, 48.0 }, 12).PerStep(row.Config.Steps));
+            row.Add(new BenchTimes(2, 96.0, new[] { 0.0, 0.0 }).PerStep(row.Config.Steps));
+            row.Passes = new BenchTimes(2, 144.0, new[] { 12.0, 72.0 }, 12).PerStep(row.Config.Steps);
             table.Add(row);
 
-            // Two frames of 24 steps in 96 ms, 6 setups in each.
+            // Two frames of 24 steps in 96 ms, 6 setups in each; in 144 ms with their passes timed.
             Assert.That(table.Column("config").Single(), Is.EqualTo("standard_at_once"));
             Assert.That(table.Column("steps").Single(), Is.EqualTo("24"));
             Assert.That(table.Column("rebuilds").Single(), Is.EqualTo("0.25"));
             Assert.That(table.Column("dispatches").Single(), Is.EqualTo("3"));
             Assert.That(table.Column("gpu_ms_median").Single(), Is.EqualTo("2"));
+            Assert.That(table.Column("gpu_ms_stamped").Single(), Is.EqualTo("3"));
             Assert.That(table.Column("share.motion").Single(), Is.EqualTo("0.5"));
+        }
+
+        [Test]
+        public void SizesThatDoNotFitIntoMemoryAreLeftOutAndNamed()
+        {
+            BenchPlan all = BenchPlan.Solver(new[] { 16384, 65536, 262144, 1048576 });
+            double largest = BenchMemory.Of(all, 262144);
+            Assert.That(largest, Is.InRange(3.5 * BenchMemory.Of(all, 65536), 4.5 * BenchMemory.Of(all, 65536)), "bytes go with particles");
+
+            BenchPlan plan = all.Within(largest + CopyBuffers.BytesOfBoth);
+
+            Assert.That(plan.Particles, Is.EqualTo(new[] { 16384, 65536, 262144 }));
+            Assert.That(plan.LeftOut, Does.Contain("1,048,576 (").And.Not.Contain("262,144").And.Contain("--particles"));
+            Assert.That(BenchPlan.Solver(new[] { 16384 }).Within(largest).LeftOut, Is.Null);
+        }
+
+        // Half of a sweep's memory is its largest size: without that all others fit at once.
+        [Test]
+        public void SizesThatAreKeptAtOnceShareTheMemory()
+        {
+            double one = BenchMemory.Of(BenchPlan.Sweep(new[] { 65536 }), 65536);
+            Assert.That(BenchPlan.Sweep(new[] { 65536, 65536, 65536 }).Within(2.5 * one).Particles, Has.Count.EqualTo(2));
+        }
+
+        // As on the device: what a liquid is planned to take is what it takes.
+        [Test]
+        public void PlannedMemoryIsWhatLiquidsTake()
+        {
+            GpuTest.Require();
+            BenchPlan plan = BenchPlan.Solver(new[] { 4096 });
+            long taken = 0;
+            foreach (BenchSolver solver in plan.Solvers)
+            {
+                using (var liquid = new BenchLiquid(TestAssets.Water.Shaders, solver, 4096))
+                {
+                    GpuTest.Run(cmd => liquid.Solver.RecordSteps(cmd, 1));
+                    taken += liquid.Solver.GpuBytes;
+                }
+            }
+            Assert.That(BenchMemory.Of(plan, 4096), Is.EqualTo((double)taken).Within(0.05 * taken));
         }
 
         [Test]
@@ -160,7 +202,7 @@ namespace SphFluid.Tests
             return true;
         }
 
-        // Two frames a sample; a quarter of each in the first part, half in the second.
+        // Two frames a sample; with the passes timed a quarter of each in the first part, half in the second.
         private static BenchColumns Table(params (BenchSolver Solver, int Particles, double Milliseconds)[] rows)
         {
             var table = new BenchColumns(new SolverLayout(Parts), "device", "2026-11-22");
@@ -171,7 +213,8 @@ namespace SphFluid.Tests
                     NeighboursMean = 30.0, CandidatesMean = 195.0,
                     Dispatches = 18, CopySpeed = 1e9
                 };
-                row.Add(new BenchTimes(2, 2.0 * milliseconds, new[] { 0.5 * milliseconds, milliseconds }));
+                row.Add(new BenchTimes(2, 2.0 * milliseconds, new[] { 0.0, 0.0 }));
+                row.Passes = new BenchTimes(2, 2.0 * milliseconds, new[] { 0.5 * milliseconds, milliseconds });
                 table.Add(row);
             }
             return table;

@@ -16,10 +16,11 @@ namespace SphFluid
         internal const int SumParts = 16;
 
         /// <summary>
-        /// Most cells, border included: what the scan can sum, each group the groups before it and 2,048 at most, besides those that left
-        /// the domain.
+        /// Most cells, border included, besides those that left the domain: the scan's groups are one row of a dispatch. Each group sums
+        /// those before it: with 4 million cells it reads 8 sums for a cell of its own, with 134 million 256. Buffers end before
+        /// that on most devices.
         /// </summary>
-        public const int MaxCells = CellsPerScanGroup * 2048 - 1;
+        public const int MaxCells = CellsPerScanGroup * ComputeKernel.MaxGroups - 1;
 
         /// <summary>Cells of the border along an axis, both ends.</summary>
         internal const int Border = 2;
@@ -49,6 +50,9 @@ namespace SphFluid
 
         /// <summary>Lower corner of the first border cell in simulation space [m].</summary>
         public Vector3 Origin { get; }
+
+        /// <summary>Bytes of a cell in the table of the cells: its first particle, its count, and its part of the scan's sums.</summary>
+        internal const double BytesPerCell = sizeof(uint) * (2.0 + (double)SumParts / CellsPerScanGroup);
 
         /// <summary>Groups of a scan over that many cells.</summary>
         internal static int ScanGroups(int cellCount) => (cellCount + CellsPerScanGroup - 1) / CellsPerScanGroup;

@@ -5,10 +5,10 @@ using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>ScanCells against a running sum, at sizes around a group's 2,048 cells and around 256 groups.</summary>
+    /// <summary>ScanCells against a running sum, at sizes around a group's 2,048 cells around 256 groups and around 2,048.</summary>
     public sealed class ScanCellsTests
     {
-        // Cells with the border, and one for those that left: about one group, two, nine, and 260.
+        // Cells with the border, and one for those that left: about one group, two, nine, 260, and 2,115.
         [TestCase(3, 3, 3, 28)]
         [TestCase(6, 11, 31, 2047)]
         [TestCase(8, 16, 16, 2049)]
@@ -16,6 +16,7 @@ namespace SphFluid.Tests
         [TestCase(16, 16, 16, 4097)]
         [TestCase(31, 193, 3, 17950)]
         [TestCase(81, 81, 81, 531442)]
+        [TestCase(163, 163, 163, 4330748)]
         public void EachCellBeginsWhereThoseBeforeItEnd(int x, int y, int z, int total)
         {
             const int particleCount = 7;

@@ -136,13 +136,14 @@ namespace SphFluid.Tests
             }
         }
 
-        [Test]
-        public void ManyParticlesFillManyScanGroups()
+        [TestCase(4f, 10)]
+        [TestCase(19f, 2048)]
+        public void ManyCellsFillManyScanGroups(float size, int groups)
         {
-            FluidSolverSettings settings = Settings(new Vector3(4f, 4f, 4f));
+            FluidSolverSettings settings = Settings(size * Vector3.one);
             using (StandardRig rig = new StandardRig(settings, ParticleSets.Random(5003, settings.DomainSize, 1f, 9)))
             {
-                Assert.That(rig.Solver.CellCount, Is.GreaterThan(10 * CellRows.CellsPerScanGroup));
+                Assert.That(rig.Solver.CellCount, Is.GreaterThan(groups * CellRows.CellsPerScanGroup));
                 rig.Setup();
                 FluidParticle[] particles = rig.Particles();
                 Assert.That(particles.Select(p => p.Id).OrderBy(id => id), Is.EqualTo(Enumerable.Range(0, 5003).Select(i => (uint)i)));
