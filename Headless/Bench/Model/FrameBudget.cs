@@ -16,18 +16,21 @@ internal sealed class FrameBudget(StepModel model, FrameParts parts)
 {
     public const double Seconds = 8e-3;
 
-    /// <param name="steps">What a step's estimate is multiplied by.</param>
-    /// <param name="frame">What the estimate of surface and drawing is multiplied by.</param>
-    /// <returns>0 where not even 512 fit.</returns>
-    public double Particles(NamedGpu gpu, FrameSteps rate, double steps, double frame)
+    /// <summary>At least and at most; 0 where not even 512 fit.</summary>
+    public (double Low, double High) Particles(NamedGpu gpu, FrameSteps rate, Doubt doubt)
     {
-        double Taken(double n) => rate.At(n) * steps * model.Time(gpu, rate.Step, n).Total + frame * parts.Frame(gpu, n);
+        double Steps(double n) => rate.At(n) * model.Time(gpu, rate.Step, n).Total;
+        return (Most(n => doubt.High * Steps(n) + parts.Frame(gpu, n).High), Most(n => doubt.Low * Steps(n) + parts.Frame(gpu, n).Low));
+    }
+
+    private static double Most(Func<double, double> seconds)
+    {
         double low = 512, high = 64e6;
-        if (Taken(low) > Seconds) return 0;
+        if (seconds(low) > Seconds) return 0;
         while (high / low > 1.001)
         {
             double middle = Math.Sqrt(low * high);
-            if (Taken(middle) <= Seconds) low = middle;
+            if (seconds(middle) <= Seconds) low = middle;
             else high = middle;
         }
         return low;

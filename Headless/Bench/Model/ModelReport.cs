@@ -3,12 +3,22 @@ using System.Globalization;
 namespace Headless.Bench.Model;
 
 /// <summary>The estimates as lines for people.</summary>
-internal sealed class ModelReport(ModelTables tables)
+internal sealed class ModelReport
 {
+    private const double DefaultKappa = 2.25;
+
     private static readonly double[] Sizes = [65536, 262144, 1048576];
 
-    private readonly MeasuredSteps measured = new(tables);
-    private readonly FrameParts parts = new(tables);
+    private readonly ModelTables tables;
+    private readonly MeasuredSteps measured;
+    private readonly FrameParts parts;
+
+    public ModelReport(ModelTables tables)
+    {
+        this.tables = tables;
+        measured = new MeasuredSteps(tables);
+        parts = new FrameParts(tables, measured.Doubt.OfRatios);
+    }
 
     public IEnumerable<string> Lines() => Assumptions().Append("")
         .Concat(PassLines()).Append("").Concat(Held()).Append("").Concat(StepLines()).Append("")
@@ -32,7 +42,7 @@ internal sealed class ModelReport(ModelTables tables)
     {
         yield return $"{"pass, us",-20}{"κ",-6}{"GPU",-27}{"turns a wave",14}{"issue/turn",12}{"chain/turn",12}{SizeHead(15)}";
         foreach (double kappa in tables.Kappas)
-            foreach (string pass in tables.Loops.Select(l => l.Pass).Distinct().Where(p => kappa == 2 || !p.StartsWith("thesis", StringComparison.Ordinal)))
+            foreach (string pass in tables.Loops.Select(l => l.Pass).Distinct().Where(p => kappa == DefaultKappa != p.StartsWith("thesis", StringComparison.Ordinal)))
                 foreach (NamedGpu gpu in tables.Gpus)
                 {
                     StepModel model = tables.Model(kappa);
@@ -84,31 +94,30 @@ internal sealed class ModelReport(ModelTables tables)
 
     private IEnumerable<string> PartLines()
     {
-        double off = measured.Doubt.OfRatios;
-        yield return $"Surface and drawing of water at 1280 x 720, whitewater: measured on {tables.Card.Name}, on the line between 65,536 and 1,048,576 particles; others";
-        yield return Text($"by the ratio of issued lanes or dispatches, divided and multiplied by {off:0.00}. {tables.Card.Name} has few raster units, so drawing may scale better.");
+        yield return $"Surface and drawing of water at 1280 x 720, whitewater: measured on {tables.Card.Name}, on the line between 65,536 and 1,048,576 particles. Others:";
+        yield return "what no particle adds to by the ratio of the clocks, what they add by the ratio of issued lanes (graphics: of those that draw) or of dispatches,";
+        yield return Text($"divided and multiplied by {parts.Off:0.00}; drawing at most no shorter than on {tables.Card.Name}.");
         yield return $"{"part, us",-21}{"bound",-12}{"GPU",-27}{SizeHead(20)}";
         foreach (FramePart part in tables.FrameParts)
             foreach (NamedGpu gpu in tables.Gpus)
                 yield return $"{part.Name,-21}{part.Resource,-12}{gpu.Name,-27}" + string.Concat(Sizes.Select(n =>
                 {
-                    double us = 1e6 * parts.Seconds(part, gpu, n);
-                    return $"{(gpu == tables.Card ? Text($"{us:0} measured") : Range(us / off, us * off)),20}";
+                    (double low, double high) = parts.Seconds(part, gpu, n);
+                    return $"{(gpu == tables.Card ? Text($"{1e6 * low:0} measured") : Range(1e6 * low, 1e6 * high)),20}";
                 }));
     }
 
     private IEnumerable<string> BudgetLines()
     {
-        yield return Text($"Particles at 60 frames a second, steps, surface and drawing within {1e3 * FrameBudget.Seconds:0} ms, κ 2.25, thousands:");
+        yield return Text($"Thousands of particles at 60 frames a second: steps, surface and drawing within {1e3 * FrameBudget.Seconds:0} ms, κ {DefaultKappa}:");
         yield return $"{"GPU",-27}" + string.Concat(FrameSteps.All.Select(s => $"{Text($"{s.Name}, {s.At16K} steps at 16 K"),32}"));
-        var budget = new FrameBudget(tables.Model(2.25), parts);
-        Doubt doubt = measured.Doubt;
+        var budget = new FrameBudget(tables.Model(DefaultKappa), parts);
         foreach (NamedGpu gpu in tables.Gpus)
-        {
-            double off = gpu == tables.Card ? 1 : doubt.OfRatios;
             yield return $"{gpu.Name,-27}" + string.Concat(FrameSteps.All.Select(s =>
-                $"{Range(budget.Particles(gpu, s, doubt.High, off) / 1e3, budget.Particles(gpu, s, doubt.Low, 1 / off) / 1e3),32}"));
-        }
+            {
+                (double low, double high) = budget.Particles(gpu, s, measured.Doubt);
+                return $"{(high > 0 ? Range(low / 1e3, high / 1e3) : "none"),32}";
+            }));
         yield return "Steps of a frame grow with N^(1/3); in motion every fourth step builds its lists, calm every eighth. Left out: queries, corrected steps,";
         yield return "meshes as walls, bodies, whitewater, the scene's own drawing, and the processor's time.";
     }

@@ -5,6 +5,7 @@ namespace Headless.Bench.Model;
 /// <param name="CountsInstructions">Whether issue is counted in instructions, as NVIDIA's, and not in the family's cycles.</param>
 /// <param name="Lanes">Lanes of a wave.</param>
 /// <param name="Schedulers">Schedulers that each issue one instruction a cycle to 32 lanes.</param>
+/// <param name="GraphicsSchedulers">Those of them that may draw.</param>
 /// <param name="Hertz">Clock [1/s].</param>
 /// <param name="Utilisation">Part of the issue cycles that are used when there are waves enough.</param>
 /// <param name="Waves">Waves that a scheduler holds.</param>
@@ -20,8 +21,8 @@ namespace Headless.Bench.Model;
 /// <param name="Maker">Which of these its maker publishes.</param>
 /// <param name="Guessed">Which are guesses, and from what.</param>
 internal sealed record NamedGpu(
-    string Name, string Family, bool CountsInstructions, int Lanes, int Schedulers, double Hertz, double Utilisation, int Waves, double FirstLoad,
-    double NextLoad, double ScalarLoad, double Alu, double CacheBytes, double MemoryBytes, double Cache, double Dispatch, string Measured,
+    string Name, string Family, bool CountsInstructions, int Lanes, int Schedulers, int GraphicsSchedulers, double Hertz, double Utilisation, int Waves,
+    double FirstLoad, double NextLoad, double ScalarLoad, double Alu, double CacheBytes, double MemoryBytes, double Cache, double Dispatch, string Measured,
     string Maker, string Guessed)
 {
     /// <summary>Loads of candidates lie beside each other, so on NVIDIA they hit the first cache.</summary>
@@ -30,13 +31,16 @@ internal sealed record NamedGpu(
     private const int LanesOfAScheduler = 32;
 
     public static NamedGpu Of(ModelRow row) => new(
-        row.Text("name"), row.Text("family"), row.Text("counts") == "instructions", row.Whole("lanes"), row.Whole("schedulers"), 1e9 * row.Number("ghz"),
+        row.Text("name"), row.Text("family"), row.Text("counts") == "instructions", row.Whole("lanes"), row.Whole("schedulers"),
+        row.Whole("graphics_schedulers"), 1e9 * row.Number("ghz"),
         row.Number("utilisation"), row.Whole("waves"), row.Number("first_load"), row.Number("next_load"), row.Number("scalar_load"), row.Number("alu"),
         1e12 * row.Number("cache_tb_s"), 1e12 * row.Number("memory_tb_s"), 1e6 * row.Number("cache_mb"), 1e-6 * row.Number("dispatch_us"),
         row.Text("measured"), row.Text("maker"), row.Text("guessed"));
 
-    /// <summary>Lanes that get an instruction in a second.</summary>
+    /// <summary>Lanes that get an instruction in a second, and those of them that may draw.</summary>
     public double LaneRate => Schedulers * LanesOfAScheduler * Hertz * Utilisation;
+
+    public double GraphicsLaneRate => GraphicsSchedulers * LanesOfAScheduler * Hertz * Utilisation;
 
     /// <summary>Issue cycles of a turn for a wave.</summary>
     public double Issue(CompiledLoop loop) => CountsInstructions
@@ -68,7 +72,7 @@ internal sealed record NamedGpu(
 
     public IEnumerable<string> Assumptions()
     {
-        yield return FormattableString.Invariant($"{Name}: {Schedulers} schedulers, waves of {Lanes}, {Hertz / 1e9:0.###} GHz, {Utilisation:P0} of the issue ")
+        yield return FormattableString.Invariant($"{Name}: {Schedulers} schedulers{(GraphicsSchedulers < Schedulers ? $" of which {GraphicsSchedulers} draw" : "")}, waves of {Lanes}, {Hertz / 1e9:0.###} GHz, {Utilisation:P0} of the issue ")
             + FormattableString.Invariant($"cycles used, code of {Family}{(CountsInstructions ? ", an instruction a cycle without scalar ones" : "")}; {Waves} waves each; ")
             + FormattableString.Invariant($"load {FirstLoad:0} cycles, next {NextLoad:0}{(CountsInstructions ? $", candidate {CandidateLoad:0}" : "")}, ")
             + FormattableString.Invariant($"constant {ScalarLoad:0}, arithmetic {Alu:0.#} of which 90 % in a chain; cache {Cache / 1e6:0} MB at ")
