@@ -9,6 +9,9 @@ internal sealed record HeldEstimate(string Step, double Kappa, double Particles,
 /// <summary>Estimates of the card that was measured, each beside its measurement: the turns of the state with the neighbours of the measured liquid.</summary>
 internal sealed class MeasuredSteps
 {
+    /// <summary>Behind the name of a mean that no run had: it follows from a rebuilt and a reused step.</summary>
+    public const string Followed = " *";
+
     private static readonly (string Config, string Together, double Kappa)[] Standard =
         [("standard", "standard_at_once", 2), ("standard_2.25", "standard_2.25_at_once", 2.25)];
 
@@ -26,7 +29,8 @@ internal sealed class MeasuredSteps
     public IReadOnlyList<HeldEstimate> Steps { get; }
 
     /// <summary>Of both kinds of Standard's steps, from 16,384 particles on: their means of any number lie between.</summary>
-    public Doubt Doubt => Doubt.Of([.. Steps.Where(s => s.Step is StepModel.Rebuilt or StepModel.Reused && s.Particles >= 16384).Select(s => s.Ratio)]);
+    public Doubt Doubt => Doubt.Of(
+        [.. Steps.Where(s => s.Step is StepModel.Rebuilt or StepModel.Reused && s.Particles >= 16384).Select(s => s.Ratio)]);
 
     /// <summary>Where a rebuilt step's time goes, measured and estimated.</summary>
     public IEnumerable<HeldEstimate> Passes()
@@ -37,8 +41,10 @@ internal sealed class MeasuredSteps
             {
                 double particles = row.Number("particles"), neighbours = row.Number("neighbours_mean"), time = 1e-3 * row.Number("gpu_ms_median");
                 StepModel model = tables.Model(kappa, neighbours);
-                StepCost all = model.Time(card, StepModel.Rebuilt, particles), density = model.Pass(card, "density", particles), motion = model.Pass(card, "force", particles);
-                HeldEstimate Held(string part, StepCost estimated, double share) => new(part, kappa, particles, neighbours, estimated, share * time);
+                StepCost all = model.Time(card, StepModel.Rebuilt, particles);
+                StepCost density = model.Pass(card, "density", particles), motion = model.Pass(card, "force", particles);
+                HeldEstimate Held(string part, StepCost estimated, double share) =>
+                    new(part, kappa, particles, neighbours, estimated, share * time);
                 var dispatch = new StepCost(0, 0, 0, card.Dispatch);
                 StepCost rest = all + -1 * (density + motion + 2 * dispatch);
                 double named = row.Number("share.sort") + row.Number("share.density") + row.Number("share.motion");
@@ -55,7 +61,8 @@ internal sealed class MeasuredSteps
         where sorted.Number("particles") <= 65536
         orderby sorted.Number("particles")
         select (sorted.Number("particles"),
-            1e-6 * (sorted.Number("us_per_step_median") - fused.Number("us_per_step_median")) / (sorted.Number("commands_per_step") - fused.Number("commands_per_step")));
+            1e-6 * (sorted.Number("us_per_step_median") - fused.Number("us_per_step_median"))
+                / (sorted.Number("commands_per_step") - fused.Number("commands_per_step")));
 
     private IEnumerable<HeldEstimate> Listed()
     {
@@ -63,8 +70,8 @@ internal sealed class MeasuredSteps
         {
             // The bench has no 512, at which nothing but waiting and dispatches is left.
             ModelRow single = Clock(config, 512, 1), several = Clock(config, 512, 24);
-            foreach (HeldEstimate held in Pair(kappa, 512, single.Number("neighbours_mean"), 1e-6 * single.Number("us_per_step_median"),
-                         1e-6 * several.Number("us_per_step_median"), 1.0 / 3)) yield return held;
+            double alone = 1e-6 * single.Number("us_per_step_median"), together512 = 1e-6 * several.Number("us_per_step_median");
+            foreach (HeldEstimate held in Pair(kappa, 512, single.Number("neighbours_mean"), alone, together512, 1.0 / 3)) yield return held;
             foreach (ModelRow row in solver.Where(r => r.Text("config") == config).OrderBy(r => r.Number("particles")))
             {
                 double particles = row.Number("particles");
@@ -79,10 +86,14 @@ internal sealed class MeasuredSteps
     private IEnumerable<HeldEstimate> Pair(double kappa, double particles, double neighbours, double alone, double together, double rebuilds)
     {
         StepModel model = tables.Model(kappa, neighbours);
+        HeldEstimate Held(string step, StepCost estimated, double measured) => new(step, kappa, particles, neighbours, estimated, measured);
         double reused = (together - rebuilds * alone) / (1 - rebuilds);
-        yield return new HeldEstimate(StepModel.Rebuilt, kappa, particles, neighbours, model.Time(tables.Card, StepModel.Rebuilt, particles), alone);
-        yield return new HeldEstimate(FormattableString.Invariant($"Standard mean of {1 / rebuilds:0}"), kappa, particles, neighbours, model.Mixed(tables.Card, rebuilds, particles), together);
-        yield return new HeldEstimate(StepModel.Reused, kappa, particles, neighbours, model.Time(tables.Card, StepModel.Reused, particles), reused);
+        yield return Held(StepModel.Rebuilt, model.Time(tables.Card, StepModel.Rebuilt, particles), alone);
+        yield return Held(FormattableString.Invariant($"Standard mean of {1 / rebuilds:0}"), model.Mixed(tables.Card, rebuilds, particles), together);
+        yield return Held(StepModel.Reused, model.Time(tables.Card, StepModel.Reused, particles), reused);
+        foreach (ModelStep mean in tables.Steps.Where(s => s.IsMean))
+            yield return Held(mean.Name + Followed, model.Time(tables.Card, mean, particles),
+                mean.Parts().Sum(p => p.Times * (p.Step == StepModel.Rebuilt ? alone : reused)) / mean.Parts().Sum(p => p.Times));
     }
 
     private IEnumerable<HeldEstimate> Thesis() =>

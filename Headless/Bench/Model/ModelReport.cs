@@ -34,15 +34,18 @@ internal sealed class ModelReport
         foreach (string line in tables.Gpus.SelectMany(gpu => gpu.Assumptions())) yield return "  " + line;
         yield return "  " + StepModel.Assumptions;
         foreach (PassLoop loop in tables.Loops)
-            yield return Text($"  {loop.Pass}: loop '{loop.Loop}' of {loop.Kernel}, {loop.PerTurn:0} {(loop.OverNeighbours ? "neighbours" : "candidates")} a turn, ")
-                + Text($"in {loop.Share:P0} of the waves{(loop.Gathers ? ", loads where a list says" : "")}");
+            yield return Text($"  {loop.Pass}: loop '{loop.Loop}' of {loop.Kernel}, {loop.PerTurn:0} {(loop.OverNeighbours ? "neighbours" : "candidates")} ")
+                + Text($"a turn, in {loop.Share:P0} of the waves{(loop.Gathers ? ", loads where a list says" : "")}");
     }
+
+    private IEnumerable<string> Passes => tables.Loops.Select(l => l.Pass).Distinct();
 
     private IEnumerable<string> PassLines()
     {
         yield return $"{"pass, us",-20}{"κ",-6}{"GPU",-27}{"turns a wave",14}{"issue/turn",12}{"chain/turn",12}{SizeHead(15)}";
+        // The thesis's step has no κ but 2.
         foreach (double kappa in tables.Kappas)
-            foreach (string pass in tables.Loops.Select(l => l.Pass).Distinct().Where(p => kappa == DefaultKappa != p.StartsWith("thesis", StringComparison.Ordinal)))
+            foreach (string pass in Passes.Where(p => kappa == DefaultKappa != p.StartsWith("thesis", StringComparison.Ordinal)))
                 foreach (NamedGpu gpu in tables.Gpus)
                 {
                     StepModel model = tables.Model(kappa);
@@ -59,25 +62,30 @@ internal sealed class ModelReport
         yield return $"Held against {tables.Card.Name} ({tables.Card.Measured}), us; turns through neighbours scaled to those of the measured box at rest:";
         yield return HeldHead("step");
         foreach (HeldEstimate held in measured.Steps) yield return HeldLine(held);
+        yield return "* as measured for a rebuilt and a reused step; a reused one is what three steps together took besides their rebuilt one.";
         yield return HeldHead("part of a rebuilt step");
         foreach (HeldEstimate held in measured.Passes()) yield return HeldLine(held);
         Doubt doubt = measured.Doubt;
-        yield return Text($"Doubt: measured steps of Standard, rebuilt and reused, from 16,384 particles on, exceed their estimates {doubt.Low:0.00} to {doubt.High:0.00} times.");
+        yield return Text($"Doubt: measured steps of Standard, rebuilt and reused, from 16,384 particles on, take {doubt.Low:0.00} to {doubt.High:0.00} ")
+            + "times their estimates.";
+        yield return "No measured row is bound by memory, so where memory bounds an estimate the doubt is borrowed.";
         string dispatches = string.Join(", ", measured.Dispatches().Select(d => Text($"{1e6 * d.Seconds:0.0} us with {d.Particles:N0} particles")));
-        yield return Text($"A dispatch with barrier and its small work, from the thesis's two sorts: {dispatches}; assumed {1e6 * tables.Card.Dispatch:0.0} us.");
+        yield return $"A dispatch with barrier and its small work, from the thesis's two sorts: {dispatches}; assumed "
+            + Text($"{1e6 * tables.Card.Dispatch:0.0} us.");
     }
 
     private IEnumerable<string> StepLines()
     {
         Doubt doubt = measured.Doubt;
-        yield return $"{"step, us",-21}{"κ",-6}{"GPU",-27}{SizeHead(26)}   estimates times doubt; in brackets what bounds the estimate";
+        yield return $"Estimates times doubt, for {tables.State}; in brackets what bounds the estimate:";
+        yield return $"{"step, us",-21}{"κ",-6}{"GPU",-27}{SizeHead(26)}";
         foreach (double kappa in tables.Kappas)
             foreach (ModelStep step in tables.Steps.Where(s => kappa == 2 || !s.Name.StartsWith("Thesis", StringComparison.Ordinal)))
                 foreach (NamedGpu gpu in tables.Gpus)
                     yield return Text($"{step.Name,-21}{kappa,-6}{gpu.Name,-27}") + string.Concat(Sizes.Select(n =>
                     {
                         StepCost cost = tables.Model(kappa).Time(gpu, step, n);
-                        return Text($"{Range(1e6 * cost.Total * doubt.Low, 1e6 * cost.Total * doubt.High) + $" ({cost.Bound})",26}");
+                        return $"{Range(1e6 * cost.Total * doubt.Low, 1e6 * cost.Total * doubt.High) + $" ({cost.Bound})",26}";
                     }));
     }
 
@@ -88,24 +96,26 @@ internal sealed class ModelReport
             foreach (ModelStep step in tables.Steps.Where(s => s.Name.StartsWith("Standard", StringComparison.Ordinal)))
             {
                 StepModel model = tables.Model(kappa);
-                yield return Text($"{step.Name,-26}{kappa,-6}{model.SortBytes(step),8:0}{model.ListBytes(step),8:0}{model.Bytes(step),21:0}{model.GatheredBytes(step),36:0}");
+                yield return Text($"{step.Name,-26}{kappa,-6}{model.SortBytes(step),8:0}{model.ListBytes(step),8:0}{model.Bytes(step),21:0}")
+                    + Text($"{model.GatheredBytes(step),36:0}");
             }
     }
 
     private IEnumerable<string> PartLines()
     {
-        yield return $"Surface and drawing of water at 1280 x 720, whitewater: measured on {tables.Card.Name}, on the line between 65,536 and 1,048,576 particles. Others:";
+        yield return $"Surface and drawing of water at 1280 x 720, whitewater: measured on {tables.Card.Name}, on the line through both measured sizes. Others:";
         yield return "what no particle adds to by the ratio of the clocks, what they add by the ratio of issued lanes (graphics: of those that draw) or of dispatches,";
         yield return Text($"divided and multiplied by {parts.Off:0.00}; drawing at most no shorter than on {tables.Card.Name}.");
         yield return $"{"part, us",-21}{"bound",-12}{"GPU",-27}{SizeHead(20)}";
         foreach (FramePart part in tables.FrameParts)
             foreach (NamedGpu gpu in tables.Gpus)
-                yield return $"{part.Name,-21}{part.Resource,-12}{gpu.Name,-27}" + string.Concat(Sizes.Select(n =>
-                {
-                    (double low, double high) = parts.Seconds(part, gpu, n);
-                    return $"{(gpu == tables.Card ? Text($"{1e6 * low:0} measured") : Range(1e6 * low, 1e6 * high)),20}";
-                }));
+                yield return $"{part.Name,-21}{part.Resource,-12}{gpu.Name,-27}" + string.Concat(Sizes.Select(n => PartCell(gpu, parts.Seconds(part, gpu, n))));
+        foreach (NamedGpu gpu in tables.Gpus)
+            yield return $"{"all but whitewater",-21}{"",-12}{gpu.Name,-27}" + string.Concat(Sizes.Select(n => PartCell(gpu, parts.Frame(gpu, n))));
     }
+
+    private string PartCell(NamedGpu gpu, (double Low, double High) seconds) =>
+        $"{(gpu == tables.Card ? Text($"{1e6 * seconds.Low:0} measured") : Range(1e6 * seconds.Low, 1e6 * seconds.High)),20}";
 
     private IEnumerable<string> BudgetLines()
     {
@@ -128,8 +138,9 @@ internal sealed class ModelReport
 
     private static string HeldHead(string what) => $"{what,-26}{"κ",-6}{"particles",10}{"neighbours",12}{"estimated",11}{"measured",10}{"ratio",7}  bound";
 
-    private static string HeldLine(HeldEstimate held) => Text(
-        $"{held.Step,-26}{held.Kappa,-6}{held.Particles,10:0}{held.Neighbours,12:0.0}{1e6 * held.Estimated.Total,11:0.0}{1e6 * held.Measured,10:0.0}{held.Ratio,7:0.00}  {held.Estimated.Bound}");
+    private static string HeldLine(HeldEstimate held) =>
+        Text($"{held.Step,-26}{held.Kappa,-6}{held.Particles,10:0}{held.Neighbours,12:0.0}{1e6 * held.Estimated.Total,11:0.0}")
+        + Text($"{1e6 * held.Measured,10:0.0}{held.Ratio,7:0.00}  {held.Estimated.Bound}");
 
     // Two digits are all that such estimates bear.
     private static string Range(double low, double high) => Text($"{Rounded(low)} to {Rounded(high)}");

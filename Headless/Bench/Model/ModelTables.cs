@@ -17,10 +17,13 @@ internal sealed class ModelTables
         waveRows = Table("waves.csv");
         Gpus = [.. Table("gpus.csv").Select(NamedGpu.Of)];
         Loops = [.. Table("loops.csv").Select(r => new PassLoop(
-            r.Text("pass"), r.Text("kernel"), r.Text("keywords"), r.Text("loop"), r.Text("turns") == "neighbours", r.Number("per_turn"), r.Text("gathers") == "yes", r.Number("share")))];
+            r.Text("pass"), r.Text("kernel"), r.Text("keywords"), r.Text("loop"), r.Text("turns") == "neighbours", r.Number("per_turn"),
+            r.Text("gathers") == "yes", r.Number("share")))];
         Steps = [.. Table("steps.csv").Select(r => new ModelStep(
-            r.Text("step"), r.Text("passes").Split('+'), [r.Number("dispatches_64k"), r.Number("dispatches_1m")], r.Number("sort_bytes"), r.Number("list_bytes")))];
-        FrameParts = [.. Table("frame-parts.csv").Select(r => new FramePart(r.Text("part"), r.Text("config"), r.Text("column"), r.Text("resource"), r.Text("in_frame") == "yes"))];
+            r.Text("step"), r.Text("passes").Split('+'), [r.Number("dispatches_64k"), r.Number("dispatches_1m")],
+            r.Number("sort_bytes"), r.Number("list_bytes")))];
+        FrameParts = [.. Table("frame-parts.csv").Select(r => new FramePart(
+            r.Text("part"), r.Text("config"), r.Text("column"), r.Text("resource"), r.Text("in_frame") == "yes"))];
         Card = Gpus.FirstOrDefault(g => g.Measured.Length > 0) ?? throw new UsageException("benchmarks/model/gpus.csv has no card that was measured.");
     }
 

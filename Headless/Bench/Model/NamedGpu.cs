@@ -72,7 +72,8 @@ internal sealed record NamedGpu(
 
     public IEnumerable<string> Assumptions()
     {
-        yield return FormattableString.Invariant($"{Name}: {Schedulers} schedulers{(GraphicsSchedulers < Schedulers ? $" of which {GraphicsSchedulers} draw" : "")}, waves of {Lanes}, {Hertz / 1e9:0.###} GHz, {Utilisation:P0} of the issue ")
+        yield return FormattableString.Invariant($"{Name}: {Schedulers} schedulers{(GraphicsSchedulers < Schedulers ? $" of which {GraphicsSchedulers} draw" : "")}, ")
+            + FormattableString.Invariant($"waves of {Lanes}, {Hertz / 1e9:0.###} GHz, {Utilisation:P0} of the issue ")
             + FormattableString.Invariant($"cycles used, code of {Family}{(CountsInstructions ? ", an instruction a cycle without scalar ones" : "")}; {Waves} waves each; ")
             + FormattableString.Invariant($"load {FirstLoad:0} cycles, next {NextLoad:0}{(CountsInstructions ? $", candidate {CandidateLoad:0}" : "")}, ")
             + FormattableString.Invariant($"constant {ScalarLoad:0}, arithmetic {Alu:0.#} of which 90 % in a chain; cache {Cache / 1e6:0} MB at ")
