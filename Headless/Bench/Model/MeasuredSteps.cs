@@ -92,7 +92,7 @@ internal sealed class MeasuredSteps
         yield return Held(FormattableString.Invariant($"Standard mean of {1 / rebuilds:0}"), model.Mixed(tables.Card, rebuilds, particles), together);
         yield return Held(StepModel.Reused, model.Time(tables.Card, StepModel.Reused, particles), reused);
         foreach (ModelStep mean in tables.Steps.Where(s => s.IsMean))
-            yield return Held(mean.Name + Followed, model.Time(tables.Card, mean, particles),
+            yield return Held(mean.Name + Followed, model.Time(tables.Card, mean.Name, particles),
                 mean.Parts().Sum(p => p.Times * (p.Step == StepModel.Rebuilt ? alone : reused)) / mean.Parts().Sum(p => p.Times));
     }
 

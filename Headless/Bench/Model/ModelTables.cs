@@ -21,7 +21,8 @@ internal sealed class ModelTables
             r.Text("gathers") == "yes", r.Number("share")))];
         Steps = [.. Table("steps.csv").Select(r => new ModelStep(
             r.Text("step"), r.Text("passes").Split('+'), [r.Number("dispatches_64k"), r.Number("dispatches_1m")],
-            r.Number("sort_bytes"), r.Number("list_bytes")))];
+            r.Number("sort_bytes"), r.Number("list_bytes"),
+            r.Number("list_bytes_measured")))];
         FrameParts = [.. Table("frame-parts.csv").Select(r => new FramePart(
             r.Text("part"), r.Text("config"), r.Text("column"), r.Text("resource"), r.Text("in_frame") == "yes"))];
         Card = Gpus.FirstOrDefault(g => g.Measured.Length > 0) ?? throw new UsageException("benchmarks/model/gpus.csv has no card that was measured.");
@@ -50,7 +51,7 @@ internal sealed class ModelTables
     public IEnumerable<WaveStatistics> Waves(double kappa) => waveRows.Where(r => r.Number("kappa") == kappa).Select(r => new WaveStatistics(
         r.Whole("lanes"), r.Number("candidates"), r.Number("neighbours"), r.Number("candidate_turns"), r.Number("rows"), r.Number("neighbour_turns")));
 
-    /// <param name="neighbours">Of a liquid that has others than the state; 0 for the state's.</param>
+    /// <param name="neighbours">Of a liquid that was measured, with the lists of then; 0 for the state's, with those of now.</param>
     /// <exception cref="UsageException">The state was not evaluated with this κ.</exception>
     public StepModel Model(double kappa, double neighbours = 0)
     {
@@ -60,7 +61,8 @@ internal sealed class ModelTables
         foreach ((int lanes, WaveStatistics w) in waves.ToArray())
             waves[lanes] = w with { Neighbours = scale * w.Neighbours, NeighbourTurns = scale * w.NeighbourTurns };
         double listed = Waves(ListKappa).First().Neighbours;
-        return new StepModel(compiled, Loops, Steps, waves, waves.Values.First().Neighbours / listed);
+        IReadOnlyList<ModelStep> steps = neighbours > 0 ? [.. Steps.Select(s => s with { ListBytes = s.MeasuredListBytes })] : Steps;
+        return new StepModel(compiled, Loops, steps, waves, waves.Values.First().Neighbours / listed);
     }
 
     private IReadOnlyList<ModelRow> Table(string name) => ModelTable.Read(Path.Combine(folder, "model", name));

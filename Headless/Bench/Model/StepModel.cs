@@ -13,7 +13,9 @@ internal sealed record PassLoop(string Pass, string Kernel, string Keywords, str
 /// <param name="Dispatches">Dispatches at 65,536 and 1,048,576 particles.</param>
 /// <param name="SortBytes">Bytes a particle that are moved besides the passes.</param>
 /// <param name="ListBytes">Bytes a particle of the list, written and read, at κ = 2.</param>
-internal sealed record ModelStep(string Name, string[] Passes, double[] Dispatches, double SortBytes, double ListBytes)
+/// <param name="MeasuredListBytes">The same, as it was when the card was measured.</param>
+internal sealed record ModelStep(
+    string Name, string[] Passes, double[] Dispatches, double SortBytes, double ListBytes, double MeasuredListBytes)
 {
     public bool IsMean => char.IsAsciiDigit(Passes[0][0]);
 
