@@ -16,7 +16,7 @@ declare -A all_flags=(
     [peers]='--device --validate --quick --case --python --chart --out --slice'
     [figures]='--only --out'
     [check]='--only --update'
-    [model]='--state --radius'
+    [model]='--state --spacing'
     [mutate]='--shaders --scripts --seed --files --only --map --map-filter --again --survivors --seconds --list --work --out'
 )
 declare -A player_values=(
