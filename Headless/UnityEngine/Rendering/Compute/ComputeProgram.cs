@@ -65,7 +65,7 @@ internal sealed class ComputeProgram
             ShaderBinary binary = GraphicsDevice.Compiler.CompileKernel(Source, kernel.Name, active);
             variant = new ComputeVariant(binary, State, $"{Source.Path}|{kernel.Name}|{activeKey}");
         }
-        catch (ShaderCompileException problem)
+        catch (Exception problem) when (problem is ShaderCompileException or ShaderCompilerMissingException)
         {
             Debug.LogError(problem.Message);
         }

@@ -50,7 +50,7 @@ internal sealed class PassProgram
         {
             variant = new PassVariant(GraphicsDevice.Compiler.CompilePass(Source, active));
         }
-        catch (ShaderCompileException problem)
+        catch (Exception problem) when (problem is ShaderCompileException or ShaderCompilerMissingException)
         {
             Debug.LogError(problem.Message);
         }

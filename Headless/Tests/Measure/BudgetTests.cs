@@ -1,0 +1,31 @@
+using Headless.Measure;
+using NUnit.Framework;
+
+namespace Headless.Tests.Measure;
+
+/// <summary>Shares of the time: by arithmetic, without a clock.</summary>
+public sealed class BudgetTests
+{
+    [Test]
+    public void PartsThatTakeTheirWholeSharesAndAGraceEndWithinTheWhole()
+    {
+        double[] weights = [5, 4, 6, 22, 8, 8, 6, 12, 8, 5, 28];
+        const double whole = 600, grace = 5;
+        double passed = 0;
+        for (int i = 0; i < weights.Length; i++) passed += Budget.Of(whole - passed, weights.Skip(i)) + grace;
+
+        Assert.That(passed, Is.LessThanOrEqualTo(whole));
+    }
+
+    [Test]
+    public void WhatAPartDoesNotTakeGoesToTheOthers()
+    {
+        double shared = Budget.Of(106, [1, 1]);
+
+        Assert.That(shared, Is.EqualTo(50));
+        Assert.That(Budget.Of(106 - 10, [1]), Is.EqualTo(90));
+    }
+
+    [Test]
+    public void WhereNothingIsLeftAPartGetsNothing() => Assert.That(Budget.Of(2, [1, 1]), Is.Zero);
+}
