@@ -7,6 +7,9 @@ namespace Headless.Measure.Page;
 /// <summary>Steps of solver.csv beside the estimates for them.</summary>
 internal sealed class MeasuredSteps
 {
+    // A colour each; the others are in the table.
+    private static readonly string[] drawn = ["thesis_27", "thesis_27_fused", "standard", "standard_at_once", "standard_2.25_at_once", "robust_2.25_at_once"];
+
     private readonly IReadOnlyList<Estimates.Step> estimates;
     private readonly (string Config, double Particles, double Median, double Least, double Most)[] rows;
 
@@ -38,7 +41,7 @@ internal sealed class MeasuredSteps
 
     public Plot Plot()
     {
-        string[] configs = Configs;
+        string[] configs = [.. drawn.Where(Configs.Contains)];
         var lines = configs.Select((config, i) => new PlotLine(config, i, false,
             [.. rows.Where(r => r.Config == config).OrderBy(r => r.Particles).Select(r => (r.Particles, r.Median))])).ToList();
         lines.AddRange(estimates.Where(e => configs.Contains(e.Config)).Select(e => new PlotLine($"{e.Name}, estimate for {e.Gpu}",

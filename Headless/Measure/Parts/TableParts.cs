@@ -51,6 +51,7 @@ internal static class TableParts
     private static IEnumerable<string> Rows(string file)
     {
         CsvTable table = CsvTable.Read(file);
+        if (table.Rows.Count == 0) yield break;
         string[] counts = [.. table.Rows.Select(row => table.Text(row, "particles")).Distinct()];
         yield return $"{table.Rows.Count} rows in {Path.GetFileName(file)}, with {string.Join(", ", counts)} particles";
     }

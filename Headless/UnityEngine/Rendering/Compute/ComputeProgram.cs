@@ -65,9 +65,13 @@ internal sealed class ComputeProgram
             ShaderBinary binary = GraphicsDevice.Compiler.CompileKernel(Source, kernel.Name, active);
             variant = new ComputeVariant(binary, State, $"{Source.Path}|{kernel.Name}|{activeKey}");
         }
-        catch (Exception problem) when (problem is ShaderCompileException or ShaderCompilerMissingException)
+        catch (ShaderCompileException problem)
         {
             Debug.LogError(problem.Message);
+        }
+        catch (ShaderCompilerMissingException problem)
+        {
+            (EngineHooks.CompilerMissing ?? Debug.LogError)(problem.Message);
         }
 
         kernel.Add(activeKey, variant);

@@ -50,9 +50,13 @@ internal sealed class PassProgram
         {
             variant = new PassVariant(GraphicsDevice.Compiler.CompilePass(Source, active));
         }
-        catch (Exception problem) when (problem is ShaderCompileException or ShaderCompilerMissingException)
+        catch (ShaderCompileException problem)
         {
             Debug.LogError(problem.Message);
+        }
+        catch (ShaderCompilerMissingException problem)
+        {
+            (EngineHooks.CompilerMissing ?? Debug.LogError)(problem.Message);
         }
 
         variants.Add(key, variant);
