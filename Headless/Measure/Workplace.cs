@@ -21,6 +21,9 @@ internal sealed record Workplace
     /// <summary>Folder of compiled shaders that belongs to the published folder; null for the user's.</summary>
     public string? CacheFolder { get; init; }
 
+    /// <summary>OpenSSL, which .NET's hashes need on Linux, for machines without it; null where this was not published.</summary>
+    public string? OpenSsl { get; init; }
+
     /// <summary>This program: a file, and words that come first.</summary>
     public (string File, string[] Words) Program { get; init; } = Self();
 
@@ -44,7 +47,7 @@ internal sealed record Workplace
         {
             Project = published, Assemblies = Path.Combine(AppContext.BaseDirectory, "ScriptAssemblies"), Model = Path.Combine(beside, "model.txt"),
             States = Path.Combine(beside, "states"), CommitFile = Path.Combine(beside, "commit.txt"), DefaultOut = Path.Combine(beside, "measured"),
-            CacheFolder = Path.Combine(beside, Cache),
+            CacheFolder = Path.Combine(beside, Cache), OpenSsl = Path.Combine(AppContext.BaseDirectory, "openssl"),
         };
     }
 

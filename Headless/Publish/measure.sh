@@ -12,9 +12,20 @@ pack_measurement() {
     tar -C "$root" --exclude='*/Documentation~/images' -cf - Packages Assets ProjectSettings | tar -C "$staging/project" -xf -
     "$root/Build/dotnet/bin/Headless.Bench/release/sphbench" "$root" model > "$staging/model.txt"
     git -C "$root" describe --always --dirty=+ --abbrev=12 > "$staging/commit.txt" 2> /dev/null || echo unknown > "$staging/commit.txt"
+    [[ $system == windows ]] || pack_openssl
     pack_shaders
     pack_states
     write_start
+}
+
+# .NET's hashes take OpenSSL, which not every machine has; there it is taken from here.
+pack_openssl() {
+    local file
+    mkdir "$staging/player/openssl"
+    for file in libssl.so.3 libcrypto.so.3; do
+        cp -L "$(ldconfig -p | awk -v f="$file" '$1 == f && /x86-64/ { print $NF; exit }')" "$staging/player/openssl/$file" 2> /dev/null \
+            || echo "publish: $file is not installed here (Debian: apt install libssl3), so the folder runs only where OpenSSL 3 is" >&2
+    done
 }
 
 # The user's compiled shaders, and what is missing of the packages': a machine without a compiler cannot make them. They are the same on every system.

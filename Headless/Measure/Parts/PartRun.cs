@@ -1,4 +1,5 @@
 using System.Diagnostics;
+using System.Runtime.InteropServices;
 using Headless.Measure.Children;
 using Headless.Measure.Results;
 
@@ -8,6 +9,8 @@ namespace Headless.Measure.Parts;
 internal sealed class PartRun(MeasureOptions options, Part part, ResultFolder folder, TimeSpan limit, CancellationToken stop) : IDisposable
 {
     private const string PackageMethod = "SphFluid.Validation.CommandLine.";
+    private const string LibraryPath = "LD_LIBRARY_PATH";
+    private static readonly bool hasOpenSsl = !OperatingSystem.IsLinux() || NativeLibrary.TryLoad("libssl.so.3", out _);
     private static readonly TimeSpan leastOfAChild = TimeSpan.FromSeconds(1);
 
     private readonly Stopwatch clock = Stopwatch.StartNew();
@@ -70,6 +73,11 @@ internal sealed class PartRun(MeasureOptions options, Part part, ResultFolder fo
         start.Environment["DOTNET_EnableDiagnostics"] = "0";
         start.Environment["SPHPLAYER_VERB"] = part.Name;
         if (Place.CacheFolder is { } cache) start.Environment["XDG_CACHE_HOME"] = cache;
+        if (Place.OpenSsl is { } openSsl && !hasOpenSsl)
+        {
+            string?[] folders = [Environment.GetEnvironmentVariable(LibraryPath), openSsl];
+            start.Environment[LibraryPath] = string.Join(':', folders.Where(f => f is { Length: > 0 }));
+        }
         return Children.Child.Run(start, Left, to ?? log, stop);
     }
 }
