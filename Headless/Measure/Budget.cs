@@ -4,7 +4,7 @@ namespace Headless.Measure;
 internal static class Budget
 {
     /// <summary>What remains behind the last part [s]: to end a child that does not listen, and the page. Of the others the next ones' shares pay for that.</summary>
-    public const double Reserve = 6;
+    public const double Reserve = 10;
 
     /// <summary>
     /// Seconds of the next part: its share of what is left, or the least that it needs where there is so much. What it does not take goes to the others.

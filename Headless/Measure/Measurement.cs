@@ -27,7 +27,7 @@ internal sealed class Measurement(MeasureOptions options)
         for (int i = 0; i < options.Parts.Count; i++)
         {
             Part part = options.Parts[i];
-            double limit = Budget.Of(options.Seconds - clock.Elapsed.TotalSeconds, options.Parts.Skip(i).Select(p => p.Weight), part.Least);
+            double limit = Budget.Of(options.Seconds - clock.Elapsed.TotalSeconds, options.Parts.Skip(i).Select(p => p.WeightOf(options.Small)), part.Least);
             results.Add(!usable ? LeftOut(part, "there is no device to run it on")
                 : stop.IsCancellationRequested ? LeftOut(part, "interrupted")
                 : limit < part.Least ? LeftOut(part, $"{limit:0} s were left for it, and it takes {part.Least:0} at least; --minutes gives more")

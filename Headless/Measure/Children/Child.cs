@@ -10,7 +10,7 @@ namespace Headless.Measure.Children;
 internal static partial class Child
 {
     private const int Sigint = 2;
-    private static readonly TimeSpan grace = TimeSpan.FromSeconds(3), dying = TimeSpan.FromSeconds(2), look = TimeSpan.FromMilliseconds(50);
+    private static readonly TimeSpan grace = TimeSpan.FromSeconds(3), dying = TimeSpan.FromSeconds(5), look = TimeSpan.FromMilliseconds(50);
 
     /// <param name="log">Takes its lines.</param>
     /// <param name="stop">Ends it before its limit.</param>

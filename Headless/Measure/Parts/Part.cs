@@ -9,8 +9,13 @@ namespace Headless.Measure.Parts;
 /// <param name="Body">Runs its child processes and reads what they wrote.</param>
 internal sealed record Part(string Name, string Question, double Weight, double Least, Func<PartRun, PartOutcome> Body)
 {
+    /// <summary>Its share of a small measurement, where that is another one.</summary>
+    public double? SmallWeight { get; init; }
+
     /// <summary>Whether nothing can follow where it fails.</summary>
     public bool IsNeeded { get; init; }
+
+    public double WeightOf(bool small) => small && SmallWeight is { } own ? own : Weight;
 }
 
 /// <summary>What a part came to.</summary>

@@ -10,7 +10,7 @@ internal static class StatesPart
     private static readonly string[] words = ["--seconds", "0.2", "--fps", "500", "--size", "64x64", "--no-images"];
     private static readonly string[] samples = ["DamBreak", "FloatingCrates", "Fountain"];
 
-    public static Part Part { get; } = new("states", "are particles equal in two runs, and to a software device's", 6, 8, Run);
+    public static Part Part { get; } = new("states", "are particles equal in two runs, and to a software device's", 6, 8, Run) { SmallWeight = 10 };
 
     private static PartOutcome Run(PartRun run)
     {

@@ -12,7 +12,7 @@ internal static partial class TestsPart
     private const string Class = @"[.+][A-Z]\w*Tests[.(]", NeedsPython = "!PySphTests";
     private const int Named = 40, FreeProcessors = 2;
 
-    public static Part Part { get; } = new("tests", "do the package's tests pass on this driver", 28, 15, Run);
+    public static Part Part { get; } = new("tests", "do the package's tests pass on this driver", 28, 15, Run) { SmallWeight = 8 };
 
     /// <summary>
     /// Filters that divide the tests: a class belongs to one of them. They only leave out, since a filter that asks for a test runs it even where it is
