@@ -1,6 +1,7 @@
 using Headless.Bench.Model;
 using Headless.Bench.Scene;
 using Headless.Checks;
+using Headless.Measure;
 using Headless.Player.Commands;
 using SphFluid.Validation;
 
@@ -131,6 +132,21 @@ internal static class Verbs
             Own = CheckOptions.Flags,
             Examples = [("", "all of them: minutes"), ("--only form", "package form and metas: seconds"), ("--only docs", "what the documents name and claim: half a minute")],
         },
+        new("measure", "this device in a few minutes: steps, surfaces, scenes, pictures, tests and equal states, as tables and a page")
+        {
+            Own = MeasureOptions.Flags,
+            Notes =
+            [
+                "writes DIR/summary.txt, parts.csv and report.html after every part, solver.csv, surface.csv, water.csv, accuracy.csv, pictures, logs/ and a folder a part",
+                "A part that takes too long, crashes or runs out of memory is named with its last lines; the results of the others stay. The exit code is 1 then.",
+                "For a machine without .NET: ./run publish --measure.",
+            ],
+            Examples =
+            [
+                ("", "ten minutes on the graphics card"), ("--minutes 3 --parts solver,scene", "two parts in three minutes"),
+                ("--small --minutes 15 --device llvmpipe", "a rehearsal on two CPU cores"),
+            ],
+        },
         new("model", "what steps would take on GPUs that are not at hand, with every assumption")
         {
             Own = ModelCommand.Flags, Examples = [("", "from the tables that are committed")],
@@ -147,9 +163,24 @@ internal static class Verbs
         new("devices", "the graphics devices of this machine") { Words = "" },
         new("publish", "the player as one folder that needs no .NET")
         {
-            Words = "[DIR]",
-            Notes = ["DIR is Build/publish unless named: new, empty, or what publish wrote before; anything else is refused."],
-            Examples = [("../sphplayer", "a folder to copy to other machines")],
+            Words = "[DIR] [flags]",
+            Own =
+            [
+                new("--system", "NAME", "what it is to run on", "linux") { Choices = ["linux", "windows"] },
+                new("--measure", "NAME", "the same with what ./run measure needs: project, tests, compiled shaders; then run.sh or run.cmd in it measures")
+                {
+                    Choices = ["linux", "windows"],
+                },
+            ],
+            Notes =
+            [
+                "DIR is Build/publish unless named, with --measure Build/measure-linux or Build/measure-windows: new, empty, or what publish wrote before; anything else is refused.",
+                "With --measure it takes the shaders that this machine has compiled, every variant of the packages' and those of what was run; it plays samples on a software device, for their states.",
+            ],
+            Examples =
+            [
+                ("../sphplayer", "a folder to copy to other machines"), ("--measure windows ../kit", "what measures a machine with Windows and a Vulkan driver"),
+            ],
         },
         new("build", "builds the player, the package, the checks and all tests; the other verbs build what they need by themselves")
         {

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# publish.sh DIR: the player as one folder that needs no .NET. ./run publish calls it.
+# publish.sh [DIR] [--system linux|windows] [--measure linux|windows]: the player as one folder that needs no .NET, or, with --measure, what measures a
+# machine that has nothing but a Vulkan driver. ./run publish calls it.
 #
 # DIR is filled only when it is not there, is empty, or has nothing but what an earlier publish wrote and nobody changed:
 # a list of its files, with their SHA-256, is in DIR/sphplayer-files.txt. Anything else is refused before anything is built,
@@ -58,32 +59,70 @@ replace() {
     find "$staging" -mindepth 1 -maxdepth 1 -exec mv -t "$target" -- {} +
 }
 
+# publish_program PROJECT DIR SCRIPT...: a program with its .NET, and the script assemblies that it is to run, so that trimming keeps what they call.
+publish_program() {
+    local project=$1 to=$2 script projects='' runtime=linux-x64
+    shift 2
+    [[ $system == linux ]] || runtime=win-x64
+    for script in "$@"; do projects+=${projects:+%3B}$root/Headless/Package/$script/$script.csproj; done
+    dotnet publish "$root/Headless/$project/Headless.$project.csproj" -c Release --nologo -v quiet -clp:ErrorsOnly -o "$to" \
+        -p:ScriptProjects="$projects" -p:PublishRuntime="$runtime"
+    mkdir -p "$to/ScriptAssemblies"
+    for script in "$@"; do cp "$root/Build/ScriptAssemblies/$script.dll" "$to/ScriptAssemblies/"; done
+}
+
 clean() { [[ -z $staging ]] || rm -rf -- "$staging"; }
 
-(($# <= 1)) || refuse "one folder is expected, not $#: ${*:2} is too much."
-[[ ${1-.} != -* ]] || refuse "'$1' is not understood: ./run publish [DIR] has no flags (for a folder of that name: ./$1)."
-(($# == 0)) || [[ -n $1 ]] || refuse "the folder's name is empty."
-target=$(realpath -m -- "${1:-$root/Build/publish}")
+# Reads the words. Sets folder, system and measure.
+read_words() {
+    local folders=()
+    folder='' system=linux measure=''
+    while (($#)); do
+        case $1 in
+            --system=* | --measure=*)
+                set -- "${1%%=*}" "${1#*=}" "${@:2}"
+                continue
+                ;;
+            --system | --measure)
+                [[ ${2-} == linux || ${2-} == windows ]] || refuse "$1 takes linux or windows, found '${2-}'."
+                system=$2
+                [[ $1 == --system ]] || measure=yes
+                shift
+                ;;
+            -*) refuse "'$1' is not understood: ./run publish --help tells what it takes (for a folder of that name: ./$1)." ;;
+            *) folders+=("$1") ;;
+        esac
+        shift
+    done
+    ((${#folders[@]} <= 1)) || refuse "one folder is expected, not ${#folders[@]}: ${folders[*]:1} is too much."
+    ((${#folders[@]} == 0)) || [[ -n ${folders[0]} ]] || refuse "the folder's name is empty."
+    folder=${folders[0]-$root/Build/$([[ -n $measure ]] && echo "measure-$system" || echo publish)}
+}
+
+read_words "$@"
+target=$(realpath -m -- "$folder")
 [[ $target != / ]] || refuse "'/' is not a folder to publish to."
 [[ $target != "$(realpath -m -- "${HOME:-/}")" ]] || refuse "'$target' is your home folder; name a folder in it."
 [[ $root/ != "$target"/* ]] || refuse "'$target' holds this project; name a folder outside of it, or none for Build/publish."
 [[ $target != "$root"/* || $target == "$root"/Build/* ]] || refuse "'$target' is a folder of this project; name one outside of it, or none for Build/publish."
 inspect
 
-"$root/run" build Play.slnx
+"$root/run" build "$([[ -n $measure ]] && echo Headless.slnx || echo Play.slnx)"
 mkdir -p -- "$(dirname -- "$target")" || refuse "'$(dirname -- "$target")' cannot be made."
 trap clean EXIT
 staging=$(mktemp -d -- "$(dirname -- "$target")/.sphplayer-publish.XXXXXX") || refuse "'$(dirname -- "$target")' cannot be written."
-scripts=(SphFluid SphFluid.Universal SphFluid.Thesis SphFluid.Playback SphFluid.PySph SphFluid.Validation.Laboratory SphFluid.Validation)
-projects=''
-for script in "${scripts[@]}"; do projects+=${projects:+%3B}$root/Headless/Package/$script/$script.csproj; done
-dotnet publish "$root/Headless/Player/Headless.Player.csproj" -c Release --nologo -v quiet -clp:ErrorsOnly -o "$staging" \
-    -p:ScriptProjects="$projects"
-mkdir -p "$staging/ScriptAssemblies"
-for script in "${scripts[@]}"; do cp "$root/Build/ScriptAssemblies/$script.dll" "$staging/ScriptAssemblies/"; done
+if [[ -n $measure ]]; then
+    source "$root/Headless/Publish/measure.sh"
+    pack_measurement
+else
+    scripts=(SphFluid SphFluid.Universal SphFluid.Thesis SphFluid.Playback SphFluid.PySph SphFluid.Validation.Laboratory SphFluid.Validation)
+    publish_program Player "$staging" "${scripts[@]}"
+fi
 (cd "$staging" && find . -type f ! -path "./$list" -print0 | LC_ALL=C sort -z | xargs -0 sha256sum > "$list")
 
 # Building took a while: what has come into the folder meanwhile stays as well.
 inspect
 replace
-echo "$target ($(du -sh "$target" | cut -f1)): start it with sphplayer play --project DIR --scene FILE.unity"
+size=$(du -sh "$target" | cut -f1)
+if [[ -n $measure ]]; then echo "$target ($size): copy it, and start $([[ $system == linux ]] && echo run.sh || echo run.cmd) there"
+else echo "$target ($size): start it with sphplayer play --project DIR --scene FILE.unity"; fi

@@ -1,5 +1,5 @@
 # Written by ./run help --update from the flags that the parsers read; run reads it.
-verbs='play bench chart choose stability leaks surfaces merge budgets export peers figures check model mutate docs list devices publish build help'
+verbs='play bench chart choose stability leaks surfaces merge budgets export peers figures check measure model mutate docs list devices publish build help'
 liquids='blood honey lava mercury milk muddy-river oil sea-water slime water'
 methods='thesis-printed thesis robust standard automatic'
 declare -A all_flags=(
@@ -16,8 +16,10 @@ declare -A all_flags=(
     [peers]='--device --validate --quick --case --python --chart --out --slice'
     [figures]='--only --out'
     [check]='--only --update'
+    [measure]='--minutes --parts --small --device --out --page'
     [model]='--state --spacing'
     [mutate]='--shaders --scripts --seed --files --only --map --map-filter --again --survivors --seconds --list --work --out'
+    [publish]='--system --measure'
 )
 declare -A player_values=(
     [play]='--scene --seconds --fps --size --out --device --pipeline --stereo'

@@ -10,6 +10,7 @@ internal static class ExecCommand
     public static int Run(ExecOptions options)
     {
         var console = new ConsoleLines();
+        EngineHooks.CompilerMissing = console.EndWithoutCompiler;
         using var interruption = new Interruption
         {
             Heard = () => Console.Error.WriteLine("\n" + Message.Of("stopping; what is finished is in the files. Ctrl-C again ends at once.")),

@@ -61,6 +61,7 @@ internal sealed class PlayCommand : IDisposable
     {
         using var activity = new ActivityLine(Console.Out, !Console.IsOutputRedirected);
         console.Activity = activity;
+        EngineHooks.CompilerMissing = console.EndWithoutCompiler;
         activity.Begin("opening the project");
         using EngineSession session = EngineSession.Start(
             options.Project, options.Assemblies, options.Device, options.Validate, console.Write, options.Pipeline);

@@ -1,3 +1,5 @@
+using Headless.Engine;
+using Headless.Files;
 using UnityEngine;
 
 namespace Headless.Player.Output;
@@ -7,12 +9,26 @@ internal sealed class ConsoleLines
 {
     private const int Repeats = 5;
     private readonly Dictionary<string, int> seen = [];
+    private bool ended;
 
     public ActivityLine? Activity { get; set; }
     public int Errors { get; private set; }
 
+    /// <summary>Ends the run after this frame with exit code 1 and one line: without its shaders nothing that follows means anything, so it is not shown.</summary>
+    public void EndWithoutCompiler(string line)
+    {
+        EngineState.QuitRequested = true;
+        EngineState.ExitCode = 1;
+        if (ended) return;
+        ended = true;
+        Errors++;
+        Activity?.Break();
+        Console.Error.WriteLine(Message.Of(OneLine.Message(line)));
+    }
+
     public void Write(LogType type, string line)
     {
+        if (ended) return;
         if (type is not (LogType.Log or LogType.Warning)) Errors++;
         int count = seen[line] = seen.GetValueOrDefault(line) + 1;
         if (count > Repeats && type != LogType.Log) return;

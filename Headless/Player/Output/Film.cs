@@ -93,7 +93,7 @@ public sealed class Film : IDisposable
         try
         {
             // A Ctrl-C goes to the whole foreground group; setsid keeps it from ending the film before its end.
-            bool detached = File.Exists("/usr/bin/setsid");
+            bool detached = !OperatingSystem.IsWindows() && File.Exists("/usr/bin/setsid");
             var start = new ProcessStartInfo(detached ? "/usr/bin/setsid" : "ffmpeg", detached ? ["--wait", "ffmpeg", .. arguments] : arguments)
             {
                 RedirectStandardInput = true,

@@ -21,6 +21,7 @@ public sealed class PublishTests
         Write("bin/dotnet", """
             #!/bin/sh
             test -e "$(dirname "$0")/broken" && exit 1
+            echo "$@" > "$(dirname "$0")/../words"
             while [ "$1" != -o ]; do shift; done
             mkdir -p "$2/lib" && echo player > "$2/sphplayer" && echo library > "$2/lib/a.dll"
             """);
@@ -147,6 +148,25 @@ public sealed class PublishTests
     [TestCase("--out")]
     [TestCase("~")]
     public void PlacesThatAreNoOutputAreRefused(string target) => AssertRefused(target == "~" ? Environment.GetEnvironmentVariable("HOME")! : target);
+
+    [TestCase("linux", "linux-x64")]
+    [TestCase("windows", "win-x64")]
+    public void TheSystemIsThatOfTheFlag(string system, string runtime)
+    {
+        Assert.That(Publish("--system", system, outside).Code, Is.Zero);
+        Assert.That(File.ReadAllText(Path.Combine(root, "words")), Does.Contain($"PublishRuntime={runtime}"));
+    }
+
+    [TestCase("--system", "mac")]
+    [TestCase("--measure", "")]
+    [TestCase("--measure=mac", "out")]
+    public void AnotherSystemIsRefusedBeforeAnythingIsBuilt(string flag, string value)
+    {
+        var (code, errors) = Publish(flag, value);
+        Assert.That(code, Is.EqualTo(2));
+        Assert.That(errors, Does.Contain("takes linux or windows"));
+        Assert.That(File.Exists(Path.Combine(root, "builds")), Is.False);
+    }
 
     [Test]
     public void TwoFoldersAreRefused()

@@ -39,6 +39,9 @@ static class EngineHooks
     /// <summary>The AssetDatabase of the project, for the UnityEditor stand-in.</summary>
     public static IAssetDatabase? Assets { get; set; }
 
+    /// <summary>Told that a shader is not there and that nothing can compile it: what follows would come of that alone. Null makes it a line of the console.</summary>
+    public static Action<string>? CompilerMissing { get; set; }
+
     /// <summary>Receives every line the console shows; null writes to standard output and error.</summary>
     public static Action<LogType, string>? Console { get; set; }
 }

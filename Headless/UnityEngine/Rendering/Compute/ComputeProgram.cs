@@ -69,6 +69,10 @@ internal sealed class ComputeProgram
         {
             Debug.LogError(problem.Message);
         }
+        catch (ShaderCompilerMissingException problem)
+        {
+            (EngineHooks.CompilerMissing ?? Debug.LogError)(problem.Message);
+        }
 
         kernel.Add(activeKey, variant);
         return variant;

@@ -54,6 +54,10 @@ internal sealed class PassProgram
         {
             Debug.LogError(problem.Message);
         }
+        catch (ShaderCompilerMissingException problem)
+        {
+            (EngineHooks.CompilerMissing ?? Debug.LogError)(problem.Message);
+        }
 
         variants.Add(key, variant);
         return variant;
