@@ -11,10 +11,10 @@ namespace SphFluid
     /// </summary>
     internal sealed class NeighbourList : BufferSet
     {
-        // LIST_LANES in Shaders/Solver/Cells/NeighbourList.hlsl.
-        private const int Lanes = 32;
+        /// <summary>LIST_LANES in Shaders/Solver/Cells/NeighbourList.hlsl.</summary>
+        public const int Lanes = 32;
 
-        // Entries over a full lattice's neighbours, for compression and clumps.
+        // Entries over a full lattice's neighbours: for compression, clumps, and what begins a run.
         private const double Reserve = 1.5;
 
         // Of a full lattice's neighbours: whoever has fewer stands at a surface.
@@ -26,7 +26,7 @@ namespace SphFluid
         private static readonly int Ahead = Shader.PropertyToID("_Ahead");
         private static readonly int FewNeighbours = Shader.PropertyToID("_FewNeighbours");
 
-        /// <summary>Indices, 32 particles side by side; ListPlace in the shader.</summary>
+        /// <summary>Runs of pairs, 32 particles side by side; the shader tells how.</summary>
         public readonly FluidBuffer Neighbours;
 
         /// <summary>Behind them, neighbours of each particle, listed or not.</summary>
@@ -43,20 +43,20 @@ namespace SphFluid
 
         /// <summary>A list for a number of particles.</summary>
         /// <param name="particleCount">Number of particles.</param>
-        /// <param name="length">Most neighbours of a particle that are listed, even; 0 for a step that searches twice.</param>
+        /// <param name="length">Entries of a particle, even; 0 for a step that searches twice.</param>
         /// <param name="isPlanned">Whether only its size is asked for.</param>
         public NeighbourList(int particleCount, int length, bool isPlanned = false) : base(isPlanned)
         {
             Length = length;
-            long entries = EntryCount(particleCount, length);
+            long words = WordCount(particleCount, length);
             Neighbours = Add("Neighbours", ElementCount(particleCount, length), sizeof(uint));
-            Counts = Neighbours.Range("NeighbourCounts", entries);
-            Densities = Neighbours.Range("Densities", entries + particleCount);
-            WallSlot = Neighbours.Range("WallSlot", entries + 2L * particleCount);
-            WallBodies = Neighbours.Range("WallBodies", entries + 3L * particleCount);
+            Counts = Neighbours.Range("NeighbourCounts", words);
+            Densities = Neighbours.Range("Densities", words + particleCount);
+            WallSlot = Neighbours.Range("WallSlot", words + 2L * particleCount);
+            WallBodies = Neighbours.Range("WallBodies", words + 3L * particleCount);
         }
 
-        /// <summary>Most neighbours of a particle that are listed.</summary>
+        /// <summary>Entries of a particle, two a word. The words that begin a run leave room for somewhat fewer neighbours.</summary>
         public int Length { get; }
 
         /// <summary>
@@ -104,8 +104,9 @@ namespace SphFluid
             4.0 / 3.0 * Math.PI * Math.Pow(settings.SupportRadius / (double)settings.Spacing, 3.0);
 
         private static long ElementCount(int particleCount, int length) =>
-            EntryCount(particleCount, length) + Numbers * (long)particleCount;
+            WordCount(particleCount, length) + Numbers * (long)particleCount;
 
-        private static long EntryCount(int particleCount, int length) => ((long)particleCount + Lanes - 1) / Lanes * Lanes * length;
+        // Of the entries.
+        private static long WordCount(int particleCount, int length) => ((long)particleCount + Lanes - 1) / Lanes * Lanes * (length / 2);
     }
 }

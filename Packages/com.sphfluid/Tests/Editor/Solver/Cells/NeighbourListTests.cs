@@ -80,7 +80,7 @@ namespace SphFluid.Tests
                 rig.Steps(1);
 
                 // 96 particles' entries; the numbers of each stay behind them.
-                Assert.That(with - rig.Solver.GpuBytes, Is.EqualTo(4 * 96 * NeighbourList.LengthFor(settings)));
+                Assert.That(with - rig.Solver.GpuBytes, Is.EqualTo(2 * 96 * NeighbourList.LengthFor(settings)));
             }
         }
 
