@@ -14,7 +14,7 @@ namespace SphFluid
         /// <summary>LIST_LANES in Shaders/Solver/Cells/NeighbourList.hlsl.</summary>
         public const int Lanes = 32;
 
-        // Entries over a full lattice's neighbours: for compression, clumps, and what begins a run.
+        // Entries over a full lattice's neighbours: for compression and clumps.
         private const double Reserve = 1.5;
 
         // Of a full lattice's neighbours: whoever has fewer stands at a surface.
@@ -43,7 +43,7 @@ namespace SphFluid
 
         /// <summary>A list for a number of particles.</summary>
         /// <param name="particleCount">Number of particles.</param>
-        /// <param name="length">Entries of a particle, even; 0 for a step that searches twice.</param>
+        /// <param name="length">Most neighbours of a particle that are listed, even; 0 for a step that searches twice.</param>
         /// <param name="isPlanned">Whether only its size is asked for.</param>
         public NeighbourList(int particleCount, int length, bool isPlanned = false) : base(isPlanned)
         {
@@ -56,7 +56,7 @@ namespace SphFluid
             WallBodies = Neighbours.Range("WallBodies", words + 3L * particleCount);
         }
 
-        /// <summary>Entries of a particle, two a word. The words that begin a run leave room for somewhat fewer neighbours.</summary>
+        /// <summary>Most neighbours of a particle that are listed; somewhat fewer where they are not one run.</summary>
         public int Length { get; }
 
         /// <summary>
@@ -64,6 +64,9 @@ namespace SphFluid
         /// </summary>
         public static int LengthFor(in FluidSolverSettings settings) =>
             2 * (int)Math.Ceiling(Reserve / 2.0 * Expected(settings));
+
+        /// <summary>Words of a particle: one that begins a run, and two neighbours in each other.</summary>
+        public static int ColumnWords(int length) => length > 0 ? length / 2 + 1 : 0;
 
         /// <summary>Whether one buffer of the device holds the list; a step does without where it does not.</summary>
         public static bool Fits(int particleCount, int length) =>
@@ -106,7 +109,8 @@ namespace SphFluid
         private static long ElementCount(int particleCount, int length) =>
             WordCount(particleCount, length) + Numbers * (long)particleCount;
 
-        // Of the entries.
-        private static long WordCount(int particleCount, int length) => ((long)particleCount + Lanes - 1) / Lanes * Lanes * (length / 2);
+        // Of the columns.
+        private static long WordCount(int particleCount, int length) =>
+            ((long)particleCount + Lanes - 1) / Lanes * Lanes * ColumnWords(length);
     }
 }

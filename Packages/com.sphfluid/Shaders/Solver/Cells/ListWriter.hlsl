@@ -1,29 +1,22 @@
 #ifndef SPHFLUID_LIST_WRITER
 #define SPHFLUID_LIST_WRITER
 
-// Puts a particle's list of neighbours together (NeighbourList.hlsl), one after the other. Half a pair stands there as a pair of one. Near triangles every run has its word of who is
-// behind a face, and no more pairs than that has bits for.
+// Puts a particle's list of neighbours together (NeighbourList.hlsl), one after the other. Half a pair stands there as a pair of one.
 #include "NeighbourList.hlsl"
 
-#if defined(FLUID_MESH_WALLS)
-#define HEAD_WORDS 2u
-#define HEAD_FLAGS LIST_HIDES
-#define RUN_PAIRS 16u
-#else
-#define HEAD_WORDS 1u
-#define HEAD_FLAGS 0u
-#define RUN_PAIRS LIST_PAIRS
-#endif
+#define HIDDEN_PAIRS 16u // that a word has bits for
 
 struct ListWriter
 {
-    uint Head;  // where the run begins
-    uint At;    // where its next pair is written
-    uint Limit; // of the run; 0: the column is full
-    uint Jump;  // to the run's first
-    uint Last;  // neighbour
+    uint Head;   // where the run begins,
+    uint Begin;  // and its pairs
+    uint At;     // where the next pair is written
+    uint Limit;  // of the run; 0: the column is full, or empty
+    uint Jump;   // to the run's first
+    uint Last;   // neighbour
     uint Pair;
-    uint Half;  // the lowest bit of the next in it
+    uint Half;   // the lowest bit of the next in it
+    uint Hidden; // pairs before this run that the last word of who is behind a face has bits for
     uint Count;
 };
 
@@ -35,14 +28,13 @@ ListWriter EmptyList(uint id)
     return list;
 }
 
-void CloseRun(ListWriter list, uint flags)
+// Pairs of the run.
+uint CloseRun(ListWriter list, uint flags)
 {
-    const uint begin = list.Head + HEAD_WORDS * LIST_LANES;
-    const uint pairs = (list.At - begin) / LIST_LANES + list.Half / 16u;
-    _NeighboursOut[list.Head] = (list.Jump & 0xffffffu) | HEAD_FLAGS | flags | pairs * LIST_PAIR;
-#if defined(FLUID_MESH_WALLS)
-    _NeighboursOut[list.Head + LIST_LANES] = 0u;
-#endif
+    const uint pairs = (list.At - list.Begin) / LIST_LANES + list.Half / 16u;
+    const uint hides = list.Begin > list.Head + LIST_LANES ? LIST_HIDES : 0u;
+    _NeighboursOut[list.Head] = (list.Jump & 0xffffffu) | hides | flags | pairs * LIST_PAIR;
+    return pairs;
 }
 
 // jump: to the run's first.
@@ -50,15 +42,29 @@ void BeginRun(inout ListWriter list, uint id, uint jump)
 {
     if (list.Limit != 0u)
     {
-        CloseRun(list, LIST_GOES_ON);
+        list.Hidden += CloseRun(list, LIST_GOES_ON);
         list.Head = list.At + list.Half * (LIST_LANES / 16u);
     }
-    const uint end = ListPlace(id, _ListLength / 2u);
-    const uint at = list.Head + HEAD_WORDS * LIST_LANES;
-    const bool isFull = at >= end || asuint(asint(jump << 8u) >> 8) != jump || (list.Limit == 0u && list.Count > 0u);
-    // What follows then goes where the count is to stand.
-    list.At = isFull ? _NeighbourCountsBegin + id : at;
-    list.Limit = isFull ? 0u : min(end, at + RUN_PAIRS * LIST_LANES);
+    const bool isFull = (list.Limit == 0u && list.Count > 0u) || asuint(asint(jump << 8u) >> 8) != jump;
+    const uint end = isFull ? 0u : ListPlace(id, LIST_WORDS);
+    list.Begin = list.Head + LIST_LANES;
+    uint pairs = LIST_PAIRS;
+#if defined(FLUID_MESH_WALLS)
+    [branch]
+    if (list.Hidden % HIDDEN_PAIRS == 0u)
+    {
+        if (list.Begin < end)
+        {
+            _NeighboursOut[list.Begin] = 0u;
+        }
+        list.Begin += LIST_LANES;
+    }
+    pairs = HIDDEN_PAIRS - list.Hidden % HIDDEN_PAIRS;
+#endif
+    // Of a list that does not fit, what follows goes where the count is to stand.
+    const bool fits = list.Begin < end;
+    list.At = fits ? list.Begin : _NeighbourCountsBegin + id;
+    list.Limit = fits ? min(end, list.Begin + pairs * LIST_LANES) : 0u;
     list.Jump = jump;
     list.Half = 0u;
 }

@@ -1,14 +1,15 @@
 #ifndef SPHFLUID_NEIGHBOUR_LIST
 #define SPHFLUID_NEIGHBOUR_LIST
 
-// Neighbours that the density pass found, two a word, in a column of _ListLength / 2 words for each particle. 32 particles lie side by
-// side: their n-th words are one line of memory. Worked example: particle 33, the second of its 32, length 72: word 0 stands at
-// 36 * 32 + 1, word 1 32 behind.
+// Neighbours that the density pass found, two a word, in a column for each particle. 32 particles lie side by side: their n-th words
+// are one line of memory. Worked example: particle 33, the second of its 32, length 72, 37 words: word 0 stands at 37 * 32 + 1, word 1 32
+// behind.
 //
 // The particles are sorted by cells and found in that order, so most follow the one before closely. A list is a few runs of such:
 //   head    how far the first is from the last of the run before, in the list's first run from the particle itself, with sign in bits 0
 //           to 23; LIST_HIDES; LIST_GOES_ON, another run follows; and its pairs in bits 26 to 31
-//   hidden  with LIST_HIDES: two bits a pair, who is behind a face, as things stand; every density pass notes it anew
+//   hidden  with LIST_HIDES: of this pair and the 15 that come next, in this run or others, two bits each: who is behind a face, as things
+//           stand; every density pass notes it anew
 //   pairs   how far each is from the one before, the first of the pair in the lower 16 bits; an upper 0: there is no second
 // Worked example, particle 500 with neighbours 480, 481, 502 and 90,000: a run of 480 and 481, 502 and nobody, and one of 90,000:
 //   -20 & 0xffffff | LIST_GOES_ON | 2 * LIST_PAIR,  0 | 1 << 16,  21,  89498 | LIST_PAIR,  0.
@@ -36,9 +37,11 @@ uint _WallBodiesBegin;      // of each plane of its walls the number of a body t
 
 uint _ListLength; // more neighbours than this are not listed: who has them searches again; all do, where it is 0
 
+#define LIST_WORDS (_ListLength / 2u + 1u) // of a column: one run, if it is full
+
 uint ListPlace(uint id, uint n)
 {
-    return (id / LIST_LANES * (_ListLength / 2u) + n) * LIST_LANES + id % LIST_LANES;
+    return (id / LIST_LANES * LIST_WORDS + n) * LIST_LANES + id % LIST_LANES;
 }
 
 struct ListRun
@@ -67,7 +70,7 @@ void OpenRun(inout ListRun run)
     run.At += LIST_LANES;
     const bool hides = (run.Head & LIST_HIDES) != 0u;
 #if defined(FLUID_MESH_WALLS) || defined(READS_HIDDEN)
-    run.Hidden = hides ? LISTS[run.At] : 0u;
+    run.Hidden = hides ? LISTS[run.At] : run.Hidden;
 #endif
     run.At += hides ? LIST_LANES : 0u;
 }

@@ -26,13 +26,15 @@ StructuredBuffer<float4> _Places;
 void NoteBehind(NearWall wall, float3 position, uint id, uint count)
 {
     ListRun run = BeforeRuns(id, count);
+    uint place = 0u;
+    uint hidden = 0u;
+    uint spare = 0u; // bits that no neighbour has
     while ((run.Head & LIST_GOES_ON) != 0u)
     {
         OpenRun(run);
-        const uint place = run.At - LIST_LANES;
-        const uint before = run.Hidden;
-        uint spare = 32u;
-        uint hidden = 0u;
+        const bool hides = (run.Head & LIST_HIDES) != 0u;
+        place = hides ? run.At - LIST_LANES : place;
+        spare = hides ? 32u : spare;
         while (run.Head >= LIST_PAIR)
         {
             bool sees;
@@ -41,10 +43,9 @@ void NoteBehind(NearWall wall, float3 position, uint id, uint count)
             hidden = hidden >> 1u | (IsCut(wall, j, other, Separation(position, other)) ? 1u << 31u : 0u);
             spare--;
         }
-        hidden >>= spare & 31u;
-        if (hidden != before && (run.Head & LIST_HIDES) != 0u)
+        if (place != 0u)
         {
-            _NeighboursOut[place] = hidden;
+            _NeighboursOut[place] = hidden >> (spare & 31u);
         }
     }
 }
@@ -66,17 +67,11 @@ NeighbourSums ListedSums(uint id, uint count, float3 position)
     NeighbourSums sums = OwnSums(position);
     FOR_EACH_RUN(id, listed ? count : 0u, run)
     {
-#if defined(LONG_TURNS) // two in a turn would need more registers
-        bool sees;
-        const float3 d = Separation(position, PLACES[NextListed(run, sees)].xyz);
-        AddNeighbour(sums, d, SeenSquared(sees, dot(d, d)));
-#else
         const ListPair pair = NextPair(run);
         const float3 first = Separation(position, PLACES[pair.First].xyz);
         const float3 second = Separation(position, PLACES[pair.Second].xyz);
         AddNeighbour(sums, first, SeenSquared(pair.SeesFirst, dot(first, first)));
         AddNeighbour(sums, second, SeenSquared(pair.SeesSecond, dot(second, second)));
-#endif
     }
     const uint cell = SortedCell(id, !listed);
     FOR_EACH_NEAR_IF(!listed, CellOf(cell), j)

@@ -103,22 +103,38 @@ PairSums ListedNeighbours(uint id, uint count, float3 position, float3 velocity,
 // The images of the particle and of those on its list; few particles have any.
 void AddFaces(inout CorrectedSums sums, uint id, uint count, float3 position, float3 velocity, float pressure)
 {
-    FOR_EACH_RUN(id, sums.Images.Faces != 0u ? count : 0u, run)
+    ListRun run = BeforeRuns(id, count);
+    bool goesOn = sums.Images.Faces != 0u;
+    while (goesOn)
     {
-        bool sees;
-        const uint j = NextListed(run, sees);
-        const float4 place = _PositionTerms[j];
-        const float3 d = Separation(position, place.xyz);
+        goesOn = (run.Head & LIST_GOES_ON) != 0u;
         [branch]
-        if (SeenSquared(sees, dot(d, d)) * _InverseSupport * _InverseSupport < 1.0)
+        if (goesOn)
         {
-            AddImages(sums, j, pressure, place.w, d, velocity, _Velocities[j].xyz);
+            OpenRun(run);
+        }
+        else // a run of the particle itself
+        {
+            run.Head = LIST_PAIR;
+            run.Half = 16u;
+        }
+        while (run.Head >= LIST_PAIR)
+        {
+            bool sees;
+            const uint next = NextListed(run, sees);
+            const uint j = goesOn ? next : id;
+            const float4 place = _PositionTerms[j];
+            const float3 d = Separation(position, place.xyz);
+            [branch]
+            if (SeenSquared(sees || !goesOn, dot(d, d)) * _InverseSupport * _InverseSupport < 1.0)
+            {
+                AddImages(sums, j, pressure, place.w, d, velocity, _Velocities[j].xyz);
+            }
         }
     }
     [branch]
     if (sums.Images.Faces != 0u)
     {
-        AddImages(sums, id, pressure, pressure, float3(0.0, 0.0, 0.0), velocity, velocity);
         YieldFaces(sums, WallsOf(WallSlot(id), position).Gradient);
     }
 }

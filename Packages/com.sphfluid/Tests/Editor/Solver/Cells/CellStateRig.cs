@@ -165,7 +165,7 @@ namespace SphFluid.Tests
                 }
             }
 
-            uint Count(List<int> list) => listed && list.Count <= length - 2 ? (uint)list.Count : (uint)length + 1u; // two for the head
+            uint Count(List<int> list) => listed && list.Count <= length ? (uint)list.Count : (uint)length + 1u;
             State.List.Counts.SetData(lists.Select(Count).ToArray());
             State.List.Neighbours.SetData(ListColumns.Write(lists, length));
         }

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 
 namespace SphFluid.Tests
@@ -10,11 +11,12 @@ namespace SphFluid.Tests
         /// <summary>The words of all particles: of each the neighbours as far as they fit.</summary>
         public static uint[] Write(IReadOnlyList<List<int>> neighbours, int length)
         {
-            var words = new uint[(neighbours.Count + NeighbourList.Lanes - 1) / NeighbourList.Lanes * NeighbourList.Lanes * (length / 2)];
+            int blocks = (neighbours.Count + NeighbourList.Lanes - 1) / NeighbourList.Lanes;
+            var words = new uint[blocks * NeighbourList.Lanes * NeighbourList.ColumnWords(length)];
             for (int id = 0; id < neighbours.Count; id++)
             {
                 List<uint> column = Column(id, neighbours[id]);
-                for (int n = 0; n < column.Count && n < length / 2; n++) words[Place(id, n, length)] = column[n];
+                for (int n = 0; n < Math.Min(column.Count, NeighbourList.ColumnWords(length)); n++) words[Place(id, n, length)] = column[n];
             }
 
             return words;
@@ -71,6 +73,6 @@ namespace SphFluid.Tests
         }
 
         private static int Place(int id, int n, int length) =>
-            (id / NeighbourList.Lanes * (length / 2) + n) * NeighbourList.Lanes + id % NeighbourList.Lanes;
+            (id / NeighbourList.Lanes * NeighbourList.ColumnWords(length) + n) * NeighbourList.Lanes + id % NeighbourList.Lanes;
     }
 }

@@ -10,8 +10,7 @@ namespace SphFluid.Tests
     {
         private const float Spacing = 0.05f;
 
-        // Compressed by 10 %, which no calm liquid is, and by 3 % where the runs are the most: lists begin one where axes wrap, and where there
-        // are triangles their runs are short.
+        // Compressed by 10 %, which no calm liquid is, and by 3 % where there are the most runs: at triangles and where axes wrap.
         [Test]
         public void NobodyOfALiquidSearchesAgain(
             [Values(FluidAxes.None, FluidAxes.X, FluidAxes.Y, FluidAxes.Z, FluidAxes.X | FluidAxes.Z)] FluidAxes periodic,
@@ -76,7 +75,7 @@ namespace SphFluid.Tests
             NeighbourList list = rig.State.List;
             int count = rig.State.ParticleCount;
             GpuTest.Run(cmd => new StandardDensityPass(rig.Shaders).Record(cmd, rig.State));
-            words = GpuTest.Read<uint>(list.Neighbours, (count + 31) / 32 * 32 * (list.Length / 2));
+            words = GpuTest.Read<uint>(list.Neighbours, (count + 31) / 32 * 32 * NeighbourList.ColumnWords(list.Length));
             return list.Counts.Read<uint>(count);
         }
 
