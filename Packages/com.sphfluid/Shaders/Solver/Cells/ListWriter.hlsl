@@ -28,13 +28,16 @@ ListWriter EmptyList(uint id)
     return list;
 }
 
-// Pairs of the run.
-uint CloseRun(ListWriter list, uint flags)
+uint PairsOf(ListWriter list)
 {
-    const uint pairs = (list.At - list.Begin) / LIST_LANES + list.Half / 16u;
+    return (list.At - list.Begin) / LIST_LANES + list.Half / 16u;
+}
+
+// Returns nothing: FXC aborts where a function writes to a buffer and its result is used.
+void CloseRun(ListWriter list, uint flags)
+{
     const uint hides = list.Begin > list.Head + LIST_LANES ? LIST_HIDES : 0u;
-    _NeighboursOut[list.Head] = (list.Jump & 0xffffffu) | hides | flags | pairs * LIST_PAIR;
-    return pairs;
+    _NeighboursOut[list.Head] = (list.Jump & 0xffffffu) | hides | flags | PairsOf(list) * LIST_PAIR;
 }
 
 // jump: to the run's first.
@@ -42,11 +45,12 @@ void BeginRun(inout ListWriter list, uint id, uint jump)
 {
     if (list.Limit != 0u)
     {
-        list.Hidden += CloseRun(list, LIST_GOES_ON);
+        CloseRun(list, LIST_GOES_ON);
+        list.Hidden += PairsOf(list);
         list.Head = list.At + list.Half * (LIST_LANES / 16u);
     }
+    const uint end = ListPlace(id, LIST_WORDS);
     const bool isFull = (list.Limit == 0u && list.Count > 0u) || asuint(asint(jump << 8u) >> 8) != jump;
-    const uint end = isFull ? 0u : ListPlace(id, LIST_WORDS);
     list.Begin = list.Head + LIST_LANES;
     uint pairs = LIST_PAIRS;
 #if defined(FLUID_MESH_WALLS)
@@ -62,7 +66,7 @@ void BeginRun(inout ListWriter list, uint id, uint jump)
     pairs = HIDDEN_PAIRS - list.Hidden % HIDDEN_PAIRS;
 #endif
     // Of a list that does not fit, what follows goes where the count is to stand.
-    const bool fits = list.Begin < end;
+    const bool fits = list.Begin < end && !isFull;
     list.At = fits ? list.Begin : _NeighbourCountsBegin + id;
     list.Limit = fits ? min(end, list.Begin + pairs * LIST_LANES) : 0u;
     list.Jump = jump;
