@@ -11,10 +11,10 @@ namespace SphFluid
     /// </summary>
     internal sealed class NeighbourList : BufferSet
     {
-        // LIST_LANES in Shaders/Solver/Cells/NeighbourList.hlsl.
-        private const int Lanes = 32;
+        /// <summary>LIST_LANES in Shaders/Solver/Cells/NeighbourList.hlsl.</summary>
+        public const int Lanes = 32;
 
-        // Entries over a full lattice's neighbours, for compression and clumps.
+        // Entries over a full lattice's neighbours: for compression and clumps.
         private const double Reserve = 1.5;
 
         // Of a full lattice's neighbours: whoever has fewer stands at a surface.
@@ -26,7 +26,7 @@ namespace SphFluid
         private static readonly int Ahead = Shader.PropertyToID("_Ahead");
         private static readonly int FewNeighbours = Shader.PropertyToID("_FewNeighbours");
 
-        /// <summary>Indices, 32 particles side by side; ListPlace in the shader.</summary>
+        /// <summary>Runs of pairs, 32 particles side by side; the shader tells how.</summary>
         public readonly FluidBuffer Neighbours;
 
         /// <summary>Behind them, neighbours of each particle, listed or not.</summary>
@@ -48,15 +48,15 @@ namespace SphFluid
         public NeighbourList(int particleCount, int length, bool isPlanned = false) : base(isPlanned)
         {
             Length = length;
-            long entries = EntryCount(particleCount, length);
+            long words = WordCount(particleCount, length);
             Neighbours = Add("Neighbours", ElementCount(particleCount, length), sizeof(uint));
-            Counts = Neighbours.Range("NeighbourCounts", entries);
-            Densities = Neighbours.Range("Densities", entries + particleCount);
-            WallSlot = Neighbours.Range("WallSlot", entries + 2L * particleCount);
-            WallBodies = Neighbours.Range("WallBodies", entries + 3L * particleCount);
+            Counts = Neighbours.Range("NeighbourCounts", words);
+            Densities = Neighbours.Range("Densities", words + particleCount);
+            WallSlot = Neighbours.Range("WallSlot", words + 2L * particleCount);
+            WallBodies = Neighbours.Range("WallBodies", words + 3L * particleCount);
         }
 
-        /// <summary>Most neighbours of a particle that are listed.</summary>
+        /// <summary>Most neighbours of a particle that are listed; somewhat fewer where they are not one run.</summary>
         public int Length { get; }
 
         /// <summary>
@@ -64,6 +64,9 @@ namespace SphFluid
         /// </summary>
         public static int LengthFor(in FluidSolverSettings settings) =>
             2 * (int)Math.Ceiling(Reserve / 2.0 * Expected(settings));
+
+        /// <summary>Words of a particle: one that begins a run, and two neighbours in each other.</summary>
+        public static int ColumnWords(int length) => length > 0 ? length / 2 + 1 : 0;
 
         /// <summary>Whether one buffer of the device holds the list; a step does without where it does not.</summary>
         public static bool Fits(int particleCount, int length) =>
@@ -104,8 +107,10 @@ namespace SphFluid
             4.0 / 3.0 * Math.PI * Math.Pow(settings.SupportRadius / (double)settings.Spacing, 3.0);
 
         private static long ElementCount(int particleCount, int length) =>
-            EntryCount(particleCount, length) + Numbers * (long)particleCount;
+            WordCount(particleCount, length) + Numbers * (long)particleCount;
 
-        private static long EntryCount(int particleCount, int length) => ((long)particleCount + Lanes - 1) / Lanes * Lanes * length;
+        // Of the columns.
+        private static long WordCount(int particleCount, int length) =>
+            ((long)particleCount + Lanes - 1) / Lanes * Lanes * ColumnWords(length);
     }
 }

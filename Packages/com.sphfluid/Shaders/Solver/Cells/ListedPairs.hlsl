@@ -5,8 +5,8 @@
 // "#pragma multi_compile_local _ FLUID_PERIODIC", a keyword of FLUID_MESH_WALLS, and before it
 //   struct PairSums
 //   void AddPair(inout PairSums sums, uint other, float w, float3 d, float distanceSquared)
-// w: what the pass wrote beside the other's place. The particle itself is not among them; of those behind a face AddPair adds nothing:
-// the distance is beyond any R.
+// w: what the pass wrote beside the other's place. The particle itself is not among them; of those that are not seen AddPair adds
+// nothing: the distance is beyond any R. One that takes long defines LONG_TURNS: two in a turn would need more registers.
 
 #include "CellRows.hlsl"
 #include "NeighbourList.hlsl"
@@ -18,15 +18,23 @@ PairSums ListedPairs(uint id, float3 position, PairSums sums)
 {
     const uint count = _Neighbours[_NeighbourCountsBegin + id];
     const bool listed = count <= _ListLength;
-    const uint begin = ListPlace(id, 0u);
-    const uint end = begin + (listed ? count : 0u) * LIST_LANES;
-    for (uint at = begin; at < end; at += LIST_LANES)
+    FOR_EACH_RUN(id, listed ? count : 0u, run)
     {
-        const uint entry = _Neighbours[at];
-        const uint j = ListedParticle(entry);
+#if defined(LONG_TURNS)
+        bool sees;
+        const uint j = NextListed(run, sees);
         const float4 place = _PositionTerms[j];
         const float3 d = Separation(position, place.xyz);
-        AddPair(sums, j, place.w, d, SeenSquared(entry, dot(d, d)));
+        AddPair(sums, j, place.w, d, SeenSquared(sees, dot(d, d)));
+#else
+        const ListPair pair = NextPair(run);
+        const float4 first = _PositionTerms[pair.First];
+        const float4 second = _PositionTerms[pair.Second];
+        const float3 toFirst = Separation(position, first.xyz);
+        const float3 toSecond = Separation(position, second.xyz);
+        AddPair(sums, pair.First, first.w, toFirst, SeenSquared(pair.SeesFirst, dot(toFirst, toFirst)));
+        AddPair(sums, pair.Second, second.w, toSecond, SeenSquared(pair.SeesSecond, dot(toSecond, toSecond)));
+#endif
     }
     const uint cell = SortedCell(id, !listed);
     FOR_EACH_NEAR_IF(!listed, CellOf(cell), other)

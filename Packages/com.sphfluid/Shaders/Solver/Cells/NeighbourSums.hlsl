@@ -8,7 +8,7 @@
 //   void AddNeighbour(inout NeighbourSums sums, float3 d, float distanceSquared)   what another adds, nothing beyond R
 #define WRITES_LISTS
 #include "NeighbourSearch.hlsl"
-#include "NeighbourList.hlsl"
+#include "ListWriter.hlsl"
 #include "MeshWalls.hlsl"
 
 // Where the particles are: as sorted in a kernel that searches, which defines SEARCHES; else where the last step or pass left them.
@@ -22,17 +22,30 @@ StructuredBuffer<float4> _Places;
 #if defined(FLUID_MESH_WALLS)
 
 // Notes in a list who is behind a face as things stand: what a curved body cuts off changes from step to step, for both of a pair alike.
-void NoteBehind(NearWall wall, float3 position, uint begin, uint end)
+// Bits shift in from above, so that shifts are of constants: FXC drops the top bit of a condition that is shifted.
+void NoteBehind(NearWall wall, float3 position, uint id, uint count)
 {
-    for (uint at = begin; at < end; at += LIST_LANES)
+    ListRun run = BeforeRuns(id, count);
+    uint place = 0u;
+    uint hidden = 0u;
+    uint spare = 0u; // bits that no neighbour has
+    while ((run.Head & LIST_GOES_ON) != 0u)
     {
-        const uint entry = _NeighboursOut[at];
-        const uint j = ListedParticle(entry);
-        const float3 other = PLACES[j].xyz;
-        const uint noted = IsCut(wall, j, other, Separation(position, other)) ? j | LIST_BEHIND : j;
-        if (noted != entry)
+        OpenRun(run);
+        const bool hides = (run.Head & LIST_HIDES) != 0u;
+        place = hides ? run.At - LIST_LANES : place;
+        spare = hides ? 32u : spare;
+        while (run.Head >= LIST_PAIR)
         {
-            _NeighboursOut[at] = noted;
+            bool sees;
+            const uint j = NextListed(run, sees);
+            const float3 other = PLACES[j].xyz;
+            hidden = hidden >> 1u | (IsCut(wall, j, other, Separation(position, other)) ? 1u << 31u : 0u);
+            spare--;
+        }
+        if (place != 0u)
+        {
+            _NeighboursOut[place] = hidden >> (spare & 31u);
         }
     }
 }
@@ -43,22 +56,22 @@ void NoteBehind(NearWall wall, float3 position, uint begin, uint end)
 NeighbourSums ListedSums(uint id, uint count, float3 position)
 {
     const bool listed = count <= _ListLength;
-    const uint begin = ListPlace(id, 0u);
-    const uint end = begin + (listed ? count : 0u) * LIST_LANES;
     const uint slot = WallSlot(id);
 #if defined(FLUID_MESH_WALLS)
     [branch]
     if (slot != 0u)
     {
-        NoteBehind(WallOf(slot, position), position, begin, end);
+        NoteBehind(WallOf(slot, position), position, id, listed ? count : 0u);
     }
 #endif
     NeighbourSums sums = OwnSums(position);
-    for (uint at = begin; at < end; at += LIST_LANES)
+    FOR_EACH_RUN(id, listed ? count : 0u, run)
     {
-        const uint entry = _NeighboursOut[at];
-        const float3 d = Separation(position, PLACES[ListedParticle(entry)].xyz);
-        AddNeighbour(sums, d, SeenSquared(entry, dot(d, d)));
+        const ListPair pair = NextPair(run);
+        const float3 first = Separation(position, PLACES[pair.First].xyz);
+        const float3 second = Separation(position, PLACES[pair.Second].xyz);
+        AddNeighbour(sums, first, SeenSquared(pair.SeesFirst, dot(first, first)));
+        AddNeighbour(sums, second, SeenSquared(pair.SeesSecond, dot(second, second)));
     }
     const uint cell = SortedCell(id, !listed);
     FOR_EACH_NEAR_IF(!listed, CellOf(cell), j)
@@ -79,8 +92,7 @@ NeighbourSums ListedSums(uint id, uint count, float3 position)
 NeighbourSums SearchedSums(uint id, uint lane, float4 place)
 {
     const int3 cell = CellAt(place.xyz);
-    const uint end = ListPlace(id, _ListLength);
-    uint at = ListPlace(id, 0u);
+    ListWriter list = EmptyList(id);
     NeighbourSums sums = OwnSums(place.xyz);
     Search search = (Search)0;
     search.Run = CellRun(cell, 0u);
@@ -100,18 +112,13 @@ NeighbourSums SearchedSums(uint id, uint lane, float4 place)
             {
                 counts = Meet(d, id, j);
             }
-            if (counts && at < end)
+            if (counts)
             {
-                _NeighboursOut[at] = j;
+                AddToList(list, id, j);
             }
-            at += counts ? LIST_LANES : 0u;
         }
     }
-    const uint count = (at - ListPlace(id, 0u)) / LIST_LANES;
-    if (count % 2u != 0u && count < _ListLength)
-    {
-        _NeighboursOut[at] = id;
-    }
+    const uint count = EndList(list);
     _NeighboursOut[_NeighbourCountsBegin + id] = count;
 #if defined(FLUID_MESH_WALLS)
     [branch]

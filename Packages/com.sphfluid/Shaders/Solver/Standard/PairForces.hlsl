@@ -53,14 +53,13 @@ float Apart(uint id, uint other, float distanceSquared)
     return ShareAPlace(distanceSquared) ? apart : 0.0;
 }
 
-// Adds a neighbour of the list and returns r^2. Of the particle itself, but for its weight, and of those behind a face it adds nothing.
-float AddNeighbour(inout PairSums sums, uint entry, float3 position, float3 velocity, float pressure)
+// Adds a neighbour and returns r^2. Of one that is not seen it adds nothing.
+float AddNeighbour(inout PairSums sums, uint j, bool sees, float3 position, float3 velocity, float pressure)
 {
-    const uint j = ListedParticle(entry);
     const float4 place = _PositionTerms[j];
     const float3 relativeVelocity = velocity - _Velocities[j].xyz;
     const float3 d = Separation(position, place.xyz);
-    const float distanceSquared = SeenSquared(entry, dot(d, d));
+    const float distanceSquared = SeenSquared(sees, dot(d, d));
     const float slope = WendlandSlope(distanceSquared);
     sums.Push += (slope * (pressure + place.w) + ClosePair(distanceSquared, dot(d, relativeVelocity))) * d;
     sums.Drag += slope * relativeVelocity;
@@ -72,35 +71,29 @@ float AddNeighbour(inout PairSums sums, uint entry, float3 position, float3 velo
 }
 
 // What is missing of one that shares the place, where the slope and the weight of close pairs are 1.
-void PartFromPlace(inout PairSums sums, uint id, uint entry, float3 position, float pressure)
+void PartFromPlace(inout PairSums sums, uint id, uint j, bool sees, float3 position, float pressure)
 {
-    const uint j = ListedParticle(entry);
     const float4 place = _PositionTerms[j];
     const float3 d = Separation(position, place.xyz);
-    sums.Push.x += (pressure + place.w + _ClosePairs.y) * Apart(id, j, SeenSquared(entry, dot(d, d)));
+    sums.Push.x += (pressure + place.w + _ClosePairs.y) * Apart(id, j, SeenSquared(sees, dot(d, d)));
 }
 
-// Two of the list in a turn: their loads do not wait for each other. An odd list ends with the particle itself.
 PairSums ListedNeighbours(uint id, uint count, float3 position, float3 velocity, float pressure)
 {
     PairSums sums = NoPairs(id, position);
     float leastSquared = 1.0 / (_InverseSupport * _InverseSupport); // to the nearest
-    float secondSquared = leastSquared; // of the turn before: the last may be the particle itself
-    const uint begin = ListPlace(id, 0u);
-    const uint end = begin + count * LIST_LANES;
-    for (uint at = begin; at < end; at += 2u * LIST_LANES)
+    FOR_EACH_RUN(id, count, run)
     {
-        const uint j = _Neighbours[at];
-        const uint k = _Neighbours[at + LIST_LANES];
-        const float firstSquared = AddNeighbour(sums, j, position, velocity, pressure);
+        const ListPair pair = NextPair(run);
+        const float firstSquared = AddNeighbour(sums, pair.First, pair.SeesFirst, position, velocity, pressure);
+        const float secondSquared = AddNeighbour(sums, pair.Second, pair.SeesSecond, position, velocity, pressure);
         leastSquared = min(min(firstSquared, secondSquared), leastSquared);
-        secondSquared = AddNeighbour(sums, k, position, velocity, pressure);
     }
-    sums.Weight -= count % 2u == 0u ? 0.0 : 1.0;
-    leastSquared = count % 2u == 0u ? min(leastSquared, secondSquared) : leastSquared;
-    for (uint place = ShareAPlace(leastSquared) ? begin : end; place < end; place += LIST_LANES)
+    FOR_EACH_RUN(id, ShareAPlace(leastSquared) ? count : 0u, again)
     {
-        PartFromPlace(sums, id, _Neighbours[place], position, pressure);
+        bool sees;
+        const uint j = NextListed(again, sees);
+        PartFromPlace(sums, id, j, sees, position, pressure);
     }
     return sums;
 }
@@ -110,19 +103,33 @@ PairSums ListedNeighbours(uint id, uint count, float3 position, float3 velocity,
 // The images of the particle and of those on its list; few particles have any.
 void AddFaces(inout CorrectedSums sums, uint id, uint count, float3 position, float3 velocity, float pressure)
 {
-    const uint begin = ListPlace(id, 0u);
-    const uint end = begin + (sums.Images.Faces != 0u ? count + 1u : 0u) * LIST_LANES;
-    for (uint at = begin; at < end; at += LIST_LANES)
+    ListRun run = BeforeRuns(id, count);
+    bool goesOn = sums.Images.Faces != 0u;
+    while (goesOn)
     {
-        const bool isSelf = at + LIST_LANES == end;
-        const uint entry = isSelf ? id : _Neighbours[at];
-        const uint j = ListedParticle(entry);
-        const float4 place = _PositionTerms[j];
-        const float3 d = Separation(position, place.xyz);
+        goesOn = (run.Head & LIST_GOES_ON) != 0u;
         [branch]
-        if (SeenSquared(entry, dot(d, d)) * _InverseSupport * _InverseSupport < 1.0)
+        if (goesOn)
         {
-            AddImages(sums, j, pressure, place.w, d, velocity, _Velocities[j].xyz);
+            OpenRun(run);
+        }
+        else // a run of the particle itself
+        {
+            run.Head = LIST_PAIR;
+            run.Half = 16u;
+        }
+        while (run.Head >= LIST_PAIR)
+        {
+            bool sees;
+            const uint next = NextListed(run, sees);
+            const uint j = goesOn ? next : id;
+            const float4 place = _PositionTerms[j];
+            const float3 d = Separation(position, place.xyz);
+            [branch]
+            if (SeenSquared(sees || !goesOn, dot(d, d)) * _InverseSupport * _InverseSupport < 1.0)
+            {
+                AddImages(sums, j, pressure, place.w, d, velocity, _Velocities[j].xyz);
+            }
         }
     }
     [branch]
@@ -149,7 +156,7 @@ PairSums NeighbourSums(uint id, float3 position, float3 velocity, float pressure
         if (isNear && !IsParted(isNear ? WallSlot(id) : 0u, position, other, place, d))
         {
             const float3 parted = position + float3(Apart(id, other, dot(d, d)), 0.0, 0.0);
-            AddNeighbour(sums, other, parted, velocity, pressure);
+            AddNeighbour(sums, other, true, parted, velocity, pressure);
 #if defined(FLUID_GRADIENT_CORRECTION)
             AddImages(sums.Corrected, other, pressure, _PositionTerms[other].w, d, velocity, _Velocities[other].xyz);
 #endif

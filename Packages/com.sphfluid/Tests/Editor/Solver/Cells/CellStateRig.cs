@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
 using NUnit.Framework;
 using UnityEngine;
@@ -153,28 +154,20 @@ namespace SphFluid.Tests
         {
             FluidSolverSettings settings = State.Settings;
             int count = particles.Length, length = State.List.Length;
-            var counts = new uint[count];
-            var entries = new uint[(count + 31) / 32 * 32 * length];
+            var lists = new List<int>[count];
             for (int i = 0; i < count; i++)
             {
-                if (!listed) counts[i] = (uint)length + 1u;
+                lists[i] = new List<int>();
                 for (int j = 0; j < count && listed; j++)
                 {
                     double r = ThesisReference.Separation(particles[i], particles[j], settings.PeriodLength).Length;
-                    if (j == i || r >= 1.000001 * settings.SupportRadius) continue;
-                    if (counts[i] < length) entries[(i / 32 * length + (int)counts[i]) * 32 + i % 32] = (uint)j;
-                    counts[i]++;
-                }
-
-                // After an odd number of neighbours stands the particle itself.
-                if (listed && counts[i] % 2u == 1u && counts[i] < length)
-                {
-                    entries[(i / 32 * length + (int)counts[i]) * 32 + i % 32] = (uint)i;
+                    if (j != i && r < 1.000001 * settings.SupportRadius) lists[i].Add(j);
                 }
             }
 
-            State.List.Counts.SetData(counts);
-            State.List.Neighbours.SetData(entries);
+            uint Count(List<int> list) => listed && list.Count <= length ? (uint)list.Count : (uint)length + 1u;
+            State.List.Counts.SetData(lists.Select(Count).ToArray());
+            State.List.Neighbours.SetData(ListColumns.Write(lists, length));
         }
 
         /// <summary>Densities and p/ρ² of the particles.</summary>
