@@ -11,12 +11,14 @@ internal sealed class MeasuredSteps
     private static readonly string[] drawn = ["thesis_27", "thesis_27_fused", "standard", "standard_at_once", "standard_2.25_at_once", "robust_2.25_at_once"];
 
     private readonly IReadOnlyList<Estimates.Step> estimates;
+    private readonly string device;
     private readonly (string Config, double Particles, double Median, double Least, double Most)[] rows;
 
     public MeasuredSteps(string folder, IReadOnlyList<Estimates.Step> estimates)
     {
         this.estimates = estimates;
         CsvTable table = CsvTable.Read(Path.Combine(folder, TableParts.SolverTable));
+        device = table.Rows.Select(row => table.Text(row, "device")).FirstOrDefault("");
         double Microseconds(string[] row, string column) => 1000 * table.Number(row, column);
         rows =
         [
@@ -44,7 +46,7 @@ internal sealed class MeasuredSteps
         string[] configs = [.. drawn.Where(Configs.Contains)];
         var lines = configs.Select((config, i) => new PlotLine(config, i, false,
             [.. rows.Where(r => r.Config == config).OrderBy(r => r.Particles).Select(r => (r.Particles, r.Median))])).ToList();
-        lines.AddRange(estimates.Where(e => configs.Contains(e.Config)).Select(e => new PlotLine($"{e.Name}, estimate for {e.Gpu}",
+        lines.AddRange(estimates.Where(e => configs.Contains(e.Config) && device.Contains(e.Gpu, StringComparison.Ordinal)).Select(e => new PlotLine($"{e.Name}, estimate for {e.Gpu}",
             Array.IndexOf(configs, e.Config), true, [.. Estimates.Sizes.Select((size, i) => ((double)size, e.Microseconds[i]))])));
         return new Plot("Time of a step against the number of particles", "particles", "microseconds a step", true, lines);
     }
