@@ -4,10 +4,13 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>
-    /// Velocities of a step from its displacements, and what acts on velocities: viscosity, friction, the parting of close pairs.
+    /// The last motion of a step by its constraints, velocities from displacements, and what acts on velocities: viscosity, friction, the
+    /// parting of close pairs.
     /// </summary>
     internal sealed class FinishParticlesPass : ComputePass
     {
+        private static readonly int Motions = Id("_Motions");
+        private static readonly int MotionRate = Id("_MotionRate");
         private static readonly int InverseStep = Id("_InverseStep");
         private static readonly int SlopeFactor = Id("_SlopeFactor");
         private static readonly int ViscosityFactor = Id("_ViscosityFactor");
@@ -35,8 +38,7 @@ namespace SphFluid
             float sound = (float)Math.Min(settings.SoundSpeed, RobustRules.EffectiveSoundSpeed(settings, step.Length, iterations));
             using (Sample(cmd))
             {
-                RobustBindings.SetPairs(cmd, kernel, state);
-                CellBindings.SetShell(cmd, kernel, settings, step.Length);
+                RobustBindings.SetMotion(cmd, kernel, state, step.Length, iterations == 1);
                 CellBindings.SetFriction(cmd, kernel, state, viscosity);
                 ClosePairs.Set(cmd, kernel, settings.WithSoundSpeed(sound), slope, step.Length);
                 kernel.SetFloat(cmd, InverseStep, 1f / step.Length);
@@ -44,7 +46,8 @@ namespace SphFluid
                 kernel.SetFloat(cmd, ViscosityFactor, 2f * viscosity / settings.RestDensity);
                 kernel.SetFloat(cmd, PressureFactor, settings.RestDensity / (step.Length * step.Length));
                 kernel.SetFloat(cmd, LeastSeparation, 1e-3f * settings.SupportRadius);
-                kernel.Set(cmd, state.Motion.Displacements);
+                kernel.SetBuffer(cmd, Motions, iterations == 1 ? state.Buffers.Velocities : state.Motion.Displacements);
+                kernel.SetFloat(cmd, MotionRate, iterations == 1 ? 1f : 1f / step.Length);
                 kernel.SetOut(cmd, state.Buffers.NewVelocities);
                 kernel.SetBuffer(cmd, CellBindings.CarriedOut, state.Carried);
                 CellBindings.SetCounting(cmd, kernel, state, step);

@@ -2,12 +2,9 @@ using UnityEngine.Rendering;
 
 namespace SphFluid
 {
-    /// <summary>Moves the particles by what an iteration changed of the multipliers, and keeps them off walls.</summary>
+    /// <summary>Moves the particles by what an iteration, not the last, changed of the multipliers, and keeps them off walls.</summary>
     internal sealed class MoveByConstraintsPass : ComputePass
     {
-        private static readonly int Spacing = Id("_Spacing");
-        private static readonly int IsFirst = Id("_IsFirst");
-
         private readonly ComputeKernel kernel;
 
         public MoveByConstraintsPass(FluidShaderSet shaders)
@@ -24,13 +21,8 @@ namespace SphFluid
         {
             using (Sample(cmd))
             {
-                RobustBindings.SetPairs(cmd, kernel, state);
-                RobustBindings.SetGradients(cmd, kernel, state.Settings);
-                CellBindings.SetShell(cmd, kernel, state.Settings, timeStep);
-                kernel.SetFloat(cmd, Spacing, state.Settings.Spacing);
-                kernel.SetBool(cmd, IsFirst, isFirst);
+                RobustBindings.SetMotion(cmd, kernel, state, timeStep, isFirst);
                 kernel.Set(cmd, state.Buffers.Velocities);
-                kernel.Set(cmd, state.Motion.Starts);
                 kernel.SetOut(cmd, state.Motion.Displacements);
                 kernel.SetOut(cmd, state.Buffers.NewPositions);
                 kernel.Set(cmd, state.Published.Counters);

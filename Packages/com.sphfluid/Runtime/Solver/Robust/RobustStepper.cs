@@ -79,7 +79,7 @@ namespace SphFluid
             {
                 if (i == 0) constrainDensity.Record(cmd, state, compliance);
                 else constrainDensity.RecordListed(cmd, state, compliance);
-                moveByConstraints.Record(cmd, state, step.Length, i == 0);
+                if (i + 1 < iterations) moveByConstraints.Record(cmd, state, step.Length, i == 0);
             }
 
             finishParticles.Record(cmd, state, step, iterations);
