@@ -1,28 +1,20 @@
-using System;
 using UnityEngine.Rendering;
 
 namespace SphFluid
 {
-    /// <summary>
-    /// The last motion of a step by its constraints, velocities from displacements, and what acts on velocities: viscosity, friction, the
-    /// parting of close pairs.
-    /// </summary>
+    /// <summary>The last motion of a step by its constraints, velocities from displacements, and what parts close pairs and walls hold.</summary>
     internal sealed class FinishParticlesPass : ComputePass
     {
-        private static readonly int Motions = Id("_Motions");
-        private static readonly int MotionRate = Id("_MotionRate");
         private static readonly int InverseStep = Id("_InverseStep");
-        private static readonly int SlopeFactor = Id("_SlopeFactor");
-        private static readonly int ViscosityFactor = Id("_ViscosityFactor");
         private static readonly int PressureFactor = Id("_PressureFactor");
-        private static readonly int LeastSeparation = Id("_LeastSeparation");
 
-        private readonly ComputeKernel kernel;
+        private readonly ComputeKernel first, later;
 
         public FinishParticlesPass(FluidShaderSet shaders)
             : base(shaders, "FinishParticles")
         {
-            kernel = Kernel();
+            first = Kernel("FinishFirst");
+            later = Kernel();
         }
 
         /// <param name="cmd">Command buffer.</param>
@@ -32,22 +24,16 @@ namespace SphFluid
         public void Record(CommandBuffer cmd, RobustState state, in FluidStep step, int iterations)
         {
             FluidSolverSettings settings = state.Settings;
-            double moment = WendlandKernel.LatticeMoment(settings.SupportRadius / settings.Spacing);
-            double slope = settings.ParticleMass * WendlandKernel.SlopeFactor(settings.SupportRadius) / moment;
+            ComputeKernel kernel = iterations == 1 ? first : later;
             float viscosity = (float)(RobustRules.ActingViscosity(settings, step.Length) / settings.RestDensity);
-            float sound = (float)Math.Min(settings.SoundSpeed, RobustRules.EffectiveSoundSpeed(settings, step.Length, iterations));
             using (Sample(cmd))
             {
-                RobustBindings.SetMotion(cmd, kernel, state, step.Length, iterations == 1);
+                RobustBindings.SetMotion(cmd, kernel, state, step.Length);
+                RobustBindings.SetForces(cmd, kernel, state, step.Length, iterations);
                 CellBindings.SetFriction(cmd, kernel, state, viscosity);
-                ClosePairs.Set(cmd, kernel, settings.WithSoundSpeed(sound), slope, step.Length);
                 kernel.SetFloat(cmd, InverseStep, 1f / step.Length);
-                kernel.SetFloat(cmd, SlopeFactor, (float)slope);
-                kernel.SetFloat(cmd, ViscosityFactor, 2f * viscosity / settings.RestDensity);
                 kernel.SetFloat(cmd, PressureFactor, settings.RestDensity / (step.Length * step.Length));
-                kernel.SetFloat(cmd, LeastSeparation, 1e-3f * settings.SupportRadius);
-                kernel.SetBuffer(cmd, Motions, iterations == 1 ? state.Buffers.Velocities : state.Motion.Displacements);
-                kernel.SetFloat(cmd, MotionRate, iterations == 1 ? 1f : 1f / step.Length);
+                kernel.Set(cmd, state.Motion.Displacements);
                 kernel.SetOut(cmd, state.Buffers.NewVelocities);
                 kernel.SetBuffer(cmd, CellBindings.CarriedOut, state.Carried);
                 CellBindings.SetCounting(cmd, kernel, state, step);

@@ -1,26 +1,115 @@
 #ifndef SPHFLUID_CONSTRAINT_MOTION
 #define SPHFLUID_CONSTRAINT_MOTION
 
-// The motion of a particle by what the last iteration changed of the multipliers:
+// The motion of a particle by what an iteration changed of the multipliers:
 //   dx_i = sum_j (dlambda_i + dlambda_j) (m / (rho0 M)) grad W_ij + dlambda_i grad L_i / M,
 // summed up as a displacement of its own from where the substep began: v is that over dt, and equal and opposite changes stay so in float.
-// No particle is brought nearer to a wall than the shell, or than it was predicted. A kernel that includes this file includes
-// WallMotion.hlsl before it.
+// No particle is brought nearer to a wall than the shell, or than it was predicted. The first motion of a substep, of a kernel that defines
+// FIRST_MOTION, adds dt^2 times what depends on velocities: laminar viscosity (Morris et al. 1997) and what brakes close pairs; as the
+// iterations behind it have the last word, no energy comes of it. What parts close pairs is for the last, LAST_MOTION, to give to the
+// velocity. A kernel that includes this file has the keywords FLUID_PERIODIC and FLUID_MESH_WALLS, includes FluidCounters.hlsl before it,
+// and defines DISPLACEMENTS, where the motion before left them.
+#include "../Cells/Wendland.hlsl"
+#include "../Cells/ClosePairs.hlsl"
 
 StructuredBuffer<float4> _Positions; // predicted
 StructuredBuffer<float4> _Starts;    // where the substep began
-float _GradientFactor; // m 210 / (pi R^5) / (M rho0)
-float _InverseMoment;  // 1 / M
-float _Spacing;        // m
-uint _IsFirst;         // 1: of the substep
+#if defined(FIRST_MOTION)
+StructuredBuffer<float4> _Velocities; // predicted; w: the id's bits
+float _ViscosityFactor; // 2 nu / rho0
+float _Spacing;         // m
+#endif
+#if defined(LAST_MOTION)
+float _LeastSeparation; // m, for particles that share a place
+#endif
+float _SlopeFactor;     // m 210 / (pi R^5) / M
+float _GradientFactor;  // that over rho0
+float _InverseMoment;   // 1 / M
 
-// How far a velocity has taken the particle from its start. Contact may have ended the prediction elsewhere than the velocity does.
-float3 PredictedDisplacement(uint id, float3 velocity)
+struct PairSums
 {
+    float Change; // dlambda_i
+    float3 Moved;
+#if defined(FIRST_MOTION)
+    float3 Velocity;
+    float3 Braked;
+    float3 Drag; // without the viscosity
+#endif
+#if defined(LAST_MOTION)
+    uint Id;
+    float3 Parted;
+#endif
+};
+
+void AddPair(inout PairSums sums, uint other, float w, float3 d, float distanceSquared)
+{
+    const float slope = WendlandSlope(distanceSquared);
+    sums.Moved += (slope * (sums.Change + w)) * d;
+#if defined(FIRST_MOTION)
+    const float3 relativeVelocity = sums.Velocity - _Velocities[other].xyz;
+    sums.Braked += BrakingOf(distanceSquared, dot(d, relativeVelocity)) * d;
+    sums.Drag += slope * relativeVelocity;
+#endif
+#if defined(LAST_MOTION)
+    // Two that share a place part along x, by their order.
+    const float side = sums.Id < other ? _LeastSeparation : (sums.Id > other ? -_LeastSeparation : 0.0);
+    const float3 apart = distanceSquared < 1e-2 * _LeastSeparation * _LeastSeparation ? d + float3(side, 0.0, 0.0) : d;
+    sums.Parted += PartingOf(distanceSquared) * apart;
+#endif
+}
+
+#include "../Cells/ListedPairs.hlsl"
+#include "../Cells/WallMotion.hlsl"
+#include "../Cells/BodyShares.hlsl"
+
+// How far the particle has come from its start; w: the id's bits.
+float4 DisplacementBefore(uint id)
+{
+#if defined(FIRST_MOTION)
+    // Contact may have ended the prediction elsewhere than the velocity does.
+    const float4 velocity = _Velocities[id];
     const float3 gone = Separation(_Positions[id].xyz, _Starts[id].xyz);
-    const float3 carried = _TimeStep * velocity;
+    const float3 carried = _TimeStep * velocity.xyz;
     const float3 apart = gone - carried;
-    return dot(apart, apart) < 1e-6 * _Spacing * _Spacing ? carried : gone;
+    return float4(dot(apart, apart) < 1e-6 * _Spacing * _Spacing ? carried : gone, velocity.w);
+#else
+    return DISPLACEMENTS[id];
+#endif
+}
+
+// The pairs' sums.
+PairSums PairsOf(uint id, float4 place)
+{
+    PairSums sums = (PairSums)0;
+    sums.Change = place.w;
+#if defined(FIRST_MOTION)
+    sums.Velocity = _Velocities[id].xyz;
+#endif
+#if defined(LAST_MOTION)
+    sums.Id = id;
+#endif
+    return ListedPairs(id, place.xyz, sums);
+}
+
+// dx by them.
+float3 MovedByPairs(PairSums sums)
+{
+    const float3 moved = -_GradientFactor * sums.Moved;
+#if defined(FIRST_MOTION)
+    return moved + _TimeStep * _TimeStep * _SlopeFactor * (sums.Braked - _ViscosityFactor * sums.Drag);
+#else
+    return moved;
+#endif
+}
+
+// lambda with what the iteration changed of it, m^2. before: NewPositions, w: lambda.
+float MultiplierAfter(float4 place, float4 before)
+{
+#if defined(FIRST_MOTION)
+    return place.w;
+#else
+    return place.w + before.w;
+#endif
 }
 
 #if defined(FLUID_MESH_WALLS)

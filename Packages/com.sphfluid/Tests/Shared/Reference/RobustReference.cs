@@ -72,8 +72,11 @@ namespace SphFluid.Tests
             var predicted = (Double3[])places.Clone();
             for (int i = 0; i < places.Length; i++)
                 for (int j = 0; j < places.Length; j++) listed[i, j] = i != j && Apart(i, j, places).Length < radius;
-            for (int n = 0; n < iterations; n++) Iterate(predicted);
-            Finish(viscosity, sound);
+            for (int n = 1; n < iterations; n++) Iterate(predicted);
+            var before = new Double3[places.Length];
+            for (int i = 0; i < places.Length; i++) before[i] = displacements[i] / dt;
+            Iterate(predicted);
+            Finish(before, viscosity, sound);
         }
 
         private void Predict()
@@ -173,13 +176,11 @@ namespace SphFluid.Tests
                 Within(p.Z, predicted.Z, half.z, period.z));
         }
 
-        // Forces at the places at which the last multipliers were found.
-        private void Finish(double viscosity, double sound)
+        // Forces at the places at which the last multipliers were found, by the velocities there.
+        private void Finish(Double3[] before, double viscosity, double sound)
         {
             int count = places.Length;
             FluidSolverSettings pairs = settings.WithSoundSpeed((float)sound);
-            var before = new Double3[count];
-            for (int i = 0; i < count; i++) before[i] = displacements[i] / dt;
             for (int i = 0; i < count; i++)
             {
                 Double3 sum = new Double3();
@@ -190,7 +191,7 @@ namespace SphFluid.Tests
                     sum += 2.0 * viscosity / rest * ratio * StandardReference.Slope(d.Length, radius) / d.Length * relative;
                     sum += StandardReference.Parting(d, relative, pairs);
                 }
-                velocities[i] = before[i] + dt * sum;
+                velocities[i] = displacements[i] / dt + dt * sum;
             }
         }
     }

@@ -1,0 +1,30 @@
+using System;
+
+namespace SphFluid
+{
+    /// <summary>
+    /// For how many steps lists of neighbours serve after they were made. Listed pairs are computed at their present places; left out are
+    /// pairs that come within R since, which bodies of liquid that fall together do first. Those at a surface are listed ahead
+    /// (Shaders/Solver/Cells/NeighbourSearch.hlsl), and inside the liquid neighbours part slowly.
+    /// </summary>
+    internal static class RobustLists
+    {
+        // Over R: what two bodies of liquid may close in these steps, and what a moving triangle may go.
+        private static readonly float MostClosing = float.Parse(Environment.GetEnvironmentVariable("EXP") ?? "1.2");
+        private const float MostBodyMotion = 0.3f;
+
+        /// <summary>Steps that may go on with lists after they were made; 0 for none.</summary>
+        /// <param name="state">The liquid.</param>
+        /// <param name="steps">Steps through which bodies go on their motion of the frame.</param>
+        /// <param name="timeStep">Length of a step [s].</param>
+        /// <param name="speed">Speed at which bodies of liquid move [m/s].</param>
+        public static int StepsAfter(RobustState state, int steps, float timeStep, float speed)
+        {
+            if (!state.MayListNeighbours) return 0;
+            double closing = 2.0 * speed * timeStep / state.Settings.SupportRadius;
+            double bodies = (state.HasBodies && state.Bodies.IsUnderWay ? state.Bodies.LongestMotion : 0f) / Math.Max(1, steps) /
+                state.Settings.SupportRadius;
+            return (int)Math.Min(steps, Math.Min(MostClosing / closing, MostBodyMotion / bodies)); // infinite at rest
+        }
+    }
+}
