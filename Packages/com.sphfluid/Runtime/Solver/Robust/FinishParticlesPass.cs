@@ -2,7 +2,7 @@ using UnityEngine.Rendering;
 
 namespace SphFluid
 {
-    /// <summary>The last motion of a step by its constraints, velocities from displacements, and what parts close pairs and walls hold.</summary>
+    /// <summary>The last motion of a step by its constraints, velocities from displacements, and friction of walls.</summary>
     internal sealed class FinishParticlesPass : ComputePass
     {
         private static readonly int InverseStep = Id("_InverseStep");
@@ -29,7 +29,7 @@ namespace SphFluid
             using (Sample(cmd))
             {
                 RobustBindings.SetMotion(cmd, kernel, state, step.Length);
-                RobustBindings.SetForces(cmd, kernel, state, step.Length, iterations);
+                if (iterations == 1) RobustBindings.SetDrag(cmd, kernel, state, step.Length, iterations);
                 CellBindings.SetFriction(cmd, kernel, state, viscosity);
                 kernel.SetFloat(cmd, InverseStep, 1f / step.Length);
                 kernel.SetFloat(cmd, PressureFactor, settings.RestDensity / (step.Length * step.Length));

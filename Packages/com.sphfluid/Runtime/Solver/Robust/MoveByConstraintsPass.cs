@@ -14,7 +14,7 @@ namespace SphFluid
             later = Kernel();
         }
 
-        /// <summary>The first iteration of a step, with viscosity and what brakes close pairs.</summary>
+        /// <summary>The first iteration of a step, with what pairs do to velocities.</summary>
         /// <param name="cmd">Command buffer.</param>
         /// <param name="state">Buffers.</param>
         /// <param name="timeStep">Length of the step [s].</param>
@@ -23,7 +23,7 @@ namespace SphFluid
         {
             using (Sample(cmd))
             {
-                RobustBindings.SetForces(cmd, first, state, timeStep, iterations);
+                RobustBindings.SetDrag(cmd, first, state, timeStep, iterations);
                 Dispatch(cmd, first, state, timeStep);
             }
         }

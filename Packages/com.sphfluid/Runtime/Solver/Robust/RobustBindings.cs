@@ -37,13 +37,13 @@ namespace SphFluid
             kernel.Set(cmd, state.Motion.Starts);
         }
 
-        /// <summary>ConstraintMotion.hlsl of the first motion of a step and of the last: what acts on velocities.</summary>
+        /// <summary>ConstraintMotion.hlsl of the first motion of a step: what pairs do to velocities.</summary>
         /// <param name="cmd">Command buffer.</param>
         /// <param name="kernel">Kernel.</param>
         /// <param name="state">Buffers.</param>
         /// <param name="timeStep">Length of the step [s].</param>
         /// <param name="iterations">Its iterations.</param>
-        public static void SetForces(CommandBuffer cmd, ComputeKernel kernel, RobustState state, float timeStep, int iterations)
+        public static void SetDrag(CommandBuffer cmd, ComputeKernel kernel, RobustState state, float timeStep, int iterations)
         {
             FluidSolverSettings settings = state.Settings;
             double slope = Slope(settings), viscosity = RobustRules.ActingViscosity(settings, timeStep) / settings.RestDensity;

@@ -10,7 +10,7 @@ namespace SphFluid
     internal static class RobustLists
     {
         // Over R: what two bodies of liquid may close in these steps, and what a moving triangle may go.
-        private static readonly float MostClosing = float.Parse(Environment.GetEnvironmentVariable("EXP") ?? "1.2");
+        private const float MostClosing = 1.2f;
         private const float MostBodyMotion = 0.3f;
 
         /// <summary>Steps that may go on with lists after they were made; 0 for none.</summary>

@@ -10,19 +10,9 @@
 // Worked example, dx = 1: r0 = 0.6; w = 1 up to r = 0.52, 0.64 at 0.55, 0 from 0.6 on.
 float3 _ClosePairs; // 4/r0^2, K and D; these two over the factor of the pressure's sum
 
-// What d is multiplied with, of two that rest.
-float PartingOf(float distanceSquared)
-{
-    return saturate(4.0 - distanceSquared * _ClosePairs.x) * _ClosePairs.y;
-}
-
-// And of two that approach. closing: d.v_ij, below zero where they do.
-float BrakingOf(float distanceSquared, float closing)
-{
-    return saturate(4.0 - distanceSquared * _ClosePairs.x) * -_ClosePairs.z * min(closing, 0.0);
-}
-
-// Both, in one sum.
+// What d is multiplied with.
+//   distanceSquared  r^2
+//   closing          d.v_ij, below zero where the two approach
 float ClosePair(float distanceSquared, float closing)
 {
     return saturate(4.0 - distanceSquared * _ClosePairs.x) * (_ClosePairs.y - _ClosePairs.z * min(closing, 0.0));

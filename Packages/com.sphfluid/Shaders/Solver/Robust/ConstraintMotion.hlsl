@@ -5,10 +5,10 @@
 //   dx_i = sum_j (dlambda_i + dlambda_j) (m / (rho0 M)) grad W_ij + dlambda_i grad L_i / M,
 // summed up as a displacement of its own from where the substep began: v is that over dt, and equal and opposite changes stay so in float.
 // No particle is brought nearer to a wall than the shell, or than it was predicted. The first motion of a substep, of a kernel that defines
-// FIRST_MOTION, adds dt^2 times what depends on velocities: laminar viscosity (Morris et al. 1997) and what brakes close pairs; as the
-// iterations behind it have the last word, no energy comes of it. What parts close pairs is for the last, LAST_MOTION, to give to the
-// velocity. A kernel that includes this file has the keywords FLUID_PERIODIC and FLUID_MESH_WALLS, includes FluidCounters.hlsl before it,
-// and defines DISPLACEMENTS, where the motion before left them.
+// FIRST_MOTION, adds dt^2 times what pairs do to velocities: laminar viscosity (Morris et al. 1997) and the parting of close pairs. The
+// iterations behind it have the last word: by velocities of an iteration before, what parts pairs that no longer approach would add energy.
+// A kernel that includes this file has the keywords FLUID_PERIODIC and FLUID_MESH_WALLS, includes FluidCounters.hlsl before it, and defines
+// DISPLACEMENTS, where the motion before left them.
 #include "../Cells/Wendland.hlsl"
 #include "../Cells/ClosePairs.hlsl"
 
@@ -16,28 +16,23 @@ StructuredBuffer<float4> _Positions; // predicted
 StructuredBuffer<float4> _Starts;    // where the substep began
 #if defined(FIRST_MOTION)
 StructuredBuffer<float4> _Velocities; // predicted; w: the id's bits
+float _SlopeFactor;     // m 210 / (pi R^5) / M
 float _ViscosityFactor; // 2 nu / rho0
+float _LeastSeparation; // m, for particles that share a place
 float _Spacing;         // m
 #endif
-#if defined(LAST_MOTION)
-float _LeastSeparation; // m, for particles that share a place
-#endif
-float _SlopeFactor;     // m 210 / (pi R^5) / M
-float _GradientFactor;  // that over rho0
-float _InverseMoment;   // 1 / M
+float _GradientFactor; // m 210 / (pi R^5) / (M rho0)
+float _InverseMoment;  // 1 / M
 
 struct PairSums
 {
     float Change; // dlambda_i
     float3 Moved;
 #if defined(FIRST_MOTION)
-    float3 Velocity;
-    float3 Braked;
-    float3 Drag; // without the viscosity
-#endif
-#if defined(LAST_MOTION)
     uint Id;
-    float3 Parted;
+    float3 Velocity;
+    float3 Push;
+    float3 Drag; // without the viscosity
 #endif
 };
 
@@ -47,14 +42,11 @@ void AddPair(inout PairSums sums, uint other, float w, float3 d, float distanceS
     sums.Moved += (slope * (sums.Change + w)) * d;
 #if defined(FIRST_MOTION)
     const float3 relativeVelocity = sums.Velocity - _Velocities[other].xyz;
-    sums.Braked += BrakingOf(distanceSquared, dot(d, relativeVelocity)) * d;
-    sums.Drag += slope * relativeVelocity;
-#endif
-#if defined(LAST_MOTION)
     // Two that share a place part along x, by their order.
     const float side = sums.Id < other ? _LeastSeparation : (sums.Id > other ? -_LeastSeparation : 0.0);
     const float3 apart = distanceSquared < 1e-2 * _LeastSeparation * _LeastSeparation ? d + float3(side, 0.0, 0.0) : d;
-    sums.Parted += PartingOf(distanceSquared) * apart;
+    sums.Push += ClosePair(distanceSquared, dot(d, relativeVelocity)) * apart;
+    sums.Drag += slope * relativeVelocity;
 #endif
 }
 
@@ -77,28 +69,18 @@ float4 DisplacementBefore(uint id)
 #endif
 }
 
-// The pairs' sums.
-PairSums PairsOf(uint id, float4 place)
+// dx by the pairs.
+float3 MovedByPairs(uint id, float4 place)
 {
     PairSums sums = (PairSums)0;
     sums.Change = place.w;
 #if defined(FIRST_MOTION)
-    sums.Velocity = _Velocities[id].xyz;
-#endif
-#if defined(LAST_MOTION)
     sums.Id = id;
-#endif
-    return ListedPairs(id, place.xyz, sums);
-}
-
-// dx by them.
-float3 MovedByPairs(PairSums sums)
-{
-    const float3 moved = -_GradientFactor * sums.Moved;
-#if defined(FIRST_MOTION)
-    return moved + _TimeStep * _TimeStep * _SlopeFactor * (sums.Braked - _ViscosityFactor * sums.Drag);
+    sums.Velocity = _Velocities[id].xyz;
+    sums = ListedPairs(id, place.xyz, sums);
+    return _TimeStep * _TimeStep * _SlopeFactor * (sums.Push - _ViscosityFactor * sums.Drag) - _GradientFactor * sums.Moved;
 #else
-    return moved;
+    return -_GradientFactor * ListedPairs(id, place.xyz, sums).Moved;
 #endif
 }
 

@@ -20,7 +20,7 @@ namespace SphFluid.Tests
         [TestCase(65, FluidAxes.X, 0f)]
         [TestCase(251, FluidAxes.None, 0f)]
         [TestCase(251, FluidAxes.None, 1f)]
-        public void VelocitiesAreTheDisplacementsAndWhatIsDragged(int count, FluidAxes periodic, float friction)
+        public void VelocitiesAreTheDisplacementsAndFacesHoldThem(int count, FluidAxes periodic, float friction)
         {
             FluidSolverSettings settings = RobustStateRig.Robust(Domain, Spacing, periodic);
             settings.Viscosity = 2f;
@@ -34,24 +34,12 @@ namespace SphFluid.Tests
                     places = GpuTest.Read<Vector4>(rig.State.Buffers.NewPositions, count);
                 Vector4[] carried = GpuTest.Read<Vector4>(rig.State.Motion.NewStarts, count);
                 RobustStateRig.AssertCounted(rig.State, places, Enumerable.Range(0, count).ToArray());
-                double sound = Math.Min(settings.SoundSpeed, RobustRules.EffectiveSoundSpeed(settings, TimeStep, Iterations));
-                FluidSolverSettings pairs = settings.WithSoundSpeed((float)sound);
                 Vector3 half = 0.5f * Domain;
                 for (int i = 0; i < count; i++)
                 {
-                    Double3 v = particles[i].VelT0, sum = new Double3();
-                    for (int j = 0; j < count; j++)
-                    {
-                        Double3 d = ThesisReference.Separation(particles[i], particles[j], settings.PeriodLength),
-                            relative = v - particles[j].VelT0;
-                        if (j == i || d.Length >= settings.SupportRadius) continue;
-                        sum += 2.0 * settings.Viscosity / (settings.RestDensity * (double)settings.RestDensity) * settings.ParticleMass *
-                            StandardReference.Slope(d.Length, settings.SupportRadius) / d.Length /
-                            StandardReference.Response(settings) * relative;
-                        sum += StandardReference.Parting(d, relative, pairs);
-                    }
+                    Double3 v = particles[i].VelT0;
                     bool nearFace = Enumerable.Range(0, 3).Any(a => half[a] - Mathf.Abs(particles[i].Position[a]) < settings.SupportRadius);
-                    Double3 error = (Double3)(Vector3)velocities[i] - (v + TimeStep * sum);
+                    Double3 error = (Double3)(Vector3)velocities[i] - v;
                     if (friction == 0f || !nearFace) Assert.That(error.Length, Is.LessThan(1e-3), $"velocity of {i}");
                     else Assert.That(Double3.Dot(error, v), Is.LessThan(1e-6), $"walls at rest take speed from {i}");
                     Assert.That(RobustStateRig.ToBits(velocities[i].w), Is.EqualTo(particles[i].Id));
@@ -62,8 +50,8 @@ namespace SphFluid.Tests
             }
         }
 
-        [TestCase(65, FluidAxes.Y)]
         [TestCase(251, FluidAxes.None)]
+        [TestCase(257, FluidAxes.Y)]
         public void TheLastMotionIsThatOfAnyIteration(int count, FluidAxes periodic)
         {
             FluidSolverSettings settings = RobustStateRig.Robust(Domain, Spacing, periodic);
@@ -76,7 +64,7 @@ namespace SphFluid.Tests
                 var move = new MoveByConstraintsPass(rig.Shaders);
                 var finish = new FinishParticlesPass(rig.Shaders);
                 Vector4[] displacements = GpuTest.Read<Vector4>(rig.State.Motion.Displacements, count);
-                GpuTest.Run(cmd => move.Record(cmd, rig.State, TimeStep, false));
+                GpuTest.Run(cmd => move.Record(cmd, rig.State, TimeStep));
                 Vector4[] moved = GpuTest.Read<Vector4>(buffers.NewPositions, count);
                 rig.State.Motion.Displacements.SetData(displacements);
                 buffers.NewPositions.SetData(before);
@@ -111,27 +99,6 @@ namespace SphFluid.Tests
                 Assert.That((Vector3)after[1], Is.EqualTo(particles[1].Position));
                 Assert.That((Vector3)velocities[1], Is.EqualTo(Vector3.zero));
                 Assert.That(rig.Counters()[2], Is.EqualTo(1u));
-            }
-        }
-
-        [Test]
-        public void LongStepsBoundTheViscosity()
-        {
-            FluidSolverSettings settings = RobustStateRig.Robust(Domain, Spacing);
-            settings.Viscosity = 50f * settings.RestDensity;
-            double acting = RobustRules.ActingViscosity(settings, TimeStep);
-            Assert.That(acting, Is.LessThan(settings.Viscosity));
-            Assert.That(RobustRules.ActingViscosity(settings, 0.5 * TimeStep), Is.EqualTo(2.0 * acting).Within(1e-6).Percent);
-            const int count = 257;
-            using (var rig = new RobustStateRig(settings, count))
-            {
-                FluidParticle[] particles = Prepared(rig);
-                var pass = new FinishParticlesPass(rig.Shaders);
-                GpuTest.Run(cmd => pass.Record(cmd, rig.State, Step, Iterations));
-                double before = particles.Sum(p => Double3.Dot(p.VelT0, p.VelT0)),
-                    after = GpuTest.Read<Vector4>(rig.State.Buffers.NewVelocities, count)
-                    .Sum(v => Double3.Dot((Vector3)v, (Vector3)v));
-                Assert.That(after, Is.LessThan(before), "viscosity takes energy, however large it is");
             }
         }
 
