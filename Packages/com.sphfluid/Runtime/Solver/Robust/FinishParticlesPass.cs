@@ -2,7 +2,7 @@ using UnityEngine.Rendering;
 
 namespace SphFluid
 {
-    /// <summary>The last motion of a step by its constraints, velocities from displacements, and friction of walls.</summary>
+    /// <summary>The last motion of a step by its constraints, and velocities from displacements.</summary>
     internal sealed class FinishParticlesPass : ComputePass
     {
         private static readonly int InverseStep = Id("_InverseStep");
@@ -25,12 +25,10 @@ namespace SphFluid
         {
             FluidSolverSettings settings = state.Settings;
             ComputeKernel kernel = iterations == 1 ? first : later;
-            float viscosity = (float)(RobustRules.ActingViscosity(settings, step.Length) / settings.RestDensity);
             using (Sample(cmd))
             {
                 RobustBindings.SetMotion(cmd, kernel, state, step.Length);
                 if (iterations == 1) RobustBindings.SetDrag(cmd, kernel, state, step.Length, iterations);
-                CellBindings.SetFriction(cmd, kernel, state, viscosity);
                 kernel.SetFloat(cmd, InverseStep, 1f / step.Length);
                 kernel.SetFloat(cmd, PressureFactor, settings.RestDensity / (step.Length * step.Length));
                 kernel.Set(cmd, state.Motion.Displacements);

@@ -14,7 +14,7 @@ namespace SphFluid
             later = Kernel();
         }
 
-        /// <summary>The first iteration of a step, with what pairs do to velocities.</summary>
+        /// <summary>The first iteration of a step, with what acts on velocities.</summary>
         /// <param name="cmd">Command buffer.</param>
         /// <param name="state">Buffers.</param>
         /// <param name="timeStep">Length of the step [s].</param>

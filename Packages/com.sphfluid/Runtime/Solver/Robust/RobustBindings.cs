@@ -37,7 +37,7 @@ namespace SphFluid
             kernel.Set(cmd, state.Motion.Starts);
         }
 
-        /// <summary>ConstraintMotion.hlsl of the first motion of a step: what pairs do to velocities.</summary>
+        /// <summary>ConstraintMotion.hlsl of the first motion of a step: what acts on velocities.</summary>
         /// <param name="cmd">Command buffer.</param>
         /// <param name="kernel">Kernel.</param>
         /// <param name="state">Buffers.</param>
@@ -48,6 +48,7 @@ namespace SphFluid
             FluidSolverSettings settings = state.Settings;
             double slope = Slope(settings), viscosity = RobustRules.ActingViscosity(settings, timeStep) / settings.RestDensity;
             float sound = (float)Math.Min(settings.SoundSpeed, RobustRules.EffectiveSoundSpeed(settings, timeStep, iterations));
+            CellBindings.SetFriction(cmd, kernel, state, (float)viscosity);
             ClosePairs.Set(cmd, kernel, settings.WithSoundSpeed(sound), slope, timeStep);
             kernel.SetFloat(cmd, SlopeFactor, (float)slope);
             kernel.SetFloat(cmd, ViscosityFactor, (float)(2.0 * viscosity / settings.RestDensity));

@@ -13,18 +13,24 @@ namespace SphFluid
         private const float MostClosing = 1.2f;
         private const float MostBodyMotion = 0.3f;
 
+        /// <summary>Steps that may go on with lists after they were made, among walls at rest; 0 for none.</summary>
+        /// <param name="settings">The liquid's constants.</param>
+        /// <param name="timeStep">Length of a step [s].</param>
+        /// <param name="speed">Speed at which bodies of liquid move [m/s].</param>
+        public static double StepsAfter(in FluidSolverSettings settings, double timeStep, double speed) =>
+            settings.Own<RobustSettings>().NeighbourList ? Math.Floor(MostClosing * settings.SupportRadius / (2.0 * speed * timeStep)) : 0.0;
+
         /// <summary>Steps that may go on with lists after they were made; 0 for none.</summary>
         /// <param name="state">The liquid.</param>
-        /// <param name="steps">Steps through which bodies go on their motion of the frame.</param>
+        /// <param name="steps">Steps through which bodies go on their motion of the frame, and the most that is asked for.</param>
         /// <param name="timeStep">Length of a step [s].</param>
         /// <param name="speed">Speed at which bodies of liquid move [m/s].</param>
         public static int StepsAfter(RobustState state, int steps, float timeStep, float speed)
         {
             if (!state.MayListNeighbours) return 0;
-            double closing = 2.0 * speed * timeStep / state.Settings.SupportRadius;
-            double bodies = (state.HasBodies && state.Bodies.IsUnderWay ? state.Bodies.LongestMotion : 0f) / Math.Max(1, steps) /
-                state.Settings.SupportRadius;
-            return (int)Math.Min(steps, Math.Min(MostClosing / closing, MostBodyMotion / bodies)); // infinite at rest
+            double motion = state.HasBodies && state.Bodies.IsUnderWay ? state.Bodies.LongestMotion / Math.Max(1, steps) : 0.0;
+            double byBodies = MostBodyMotion * state.Settings.SupportRadius / motion; // infinite at rest
+            return (int)Math.Min(steps, Math.Min(StepsAfter(state.Settings, timeStep, speed), byBodies));
         }
     }
 }

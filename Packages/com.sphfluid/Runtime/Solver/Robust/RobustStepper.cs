@@ -4,10 +4,11 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>
-    /// Steps a liquid by the Robust method: PredictParticles, the sort at the predicted places (ScanCells and Scatter, in two dispatches
-    /// for a stable order), n times ConstrainDensity and MoveByConstraints, then FinishParticles. Triangles add GatherWalls, and
-    /// FindContacts and ResolveContacts twice: for the prediction, so that no particle meets liquid behind a wall, and for the step as a
-    /// whole. Readers get an order of their own: a sort and a density at the end of a frame.
+    /// Steps a liquid by the Robust method: PredictParticles, the sort at the predicted places where the lists of neighbours no longer
+    /// serve (ScanCells and Scatter, in two dispatches for a stable order), n times ConstrainDensity and MoveByConstraints, the last time
+    /// FinishParticles. Triangles add GatherWalls, and FindContacts and ResolveContacts twice: for the prediction, so that no particle
+    /// meets liquid behind a wall, and for the step as a whole. Readers get an order of their own: a sort and a density at the end of a
+    /// frame, whose lists the next steps go on with.
     /// </summary>
     internal sealed class RobustStepper : CellStepper
     {

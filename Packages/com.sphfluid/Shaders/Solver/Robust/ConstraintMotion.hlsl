@@ -5,8 +5,8 @@
 //   dx_i = sum_j (dlambda_i + dlambda_j) (m / (rho0 M)) grad W_ij + dlambda_i grad L_i / M,
 // summed up as a displacement of its own from where the substep began: v is that over dt, and equal and opposite changes stay so in float.
 // No particle is brought nearer to a wall than the shell, or than it was predicted. The first motion of a substep, of a kernel that defines
-// FIRST_MOTION, adds dt^2 times what pairs do to velocities: laminar viscosity (Morris et al. 1997) and the parting of close pairs. The
-// iterations behind it have the last word: by velocities of an iteration before, what parts pairs that no longer approach would add energy.
+// FIRST_MOTION, adds dt^2 times what acts on the predicted velocities: laminar viscosity (Morris et al. 1997), the parting of close pairs
+// and friction of walls. The iterations behind it have the last word: what parted pairs that no longer approach would add energy.
 // A kernel that includes this file has the keywords FLUID_PERIODIC and FLUID_MESH_WALLS, includes FluidCounters.hlsl before it, and defines
 // DISPLACEMENTS, where the motion before left them.
 #include "../Cells/Wendland.hlsl"
@@ -69,7 +69,7 @@ float4 DisplacementBefore(uint id)
 #endif
 }
 
-// dx by the pairs.
+// dx by the pairs, and what the faces of the domain hold.
 float3 MovedByPairs(uint id, float4 place)
 {
     PairSums sums = (PairSums)0;
@@ -78,7 +78,13 @@ float3 MovedByPairs(uint id, float4 place)
     sums.Id = id;
     sums.Velocity = _Velocities[id].xyz;
     sums = ListedPairs(id, place.xyz, sums);
-    return _TimeStep * _TimeStep * _SlopeFactor * (sums.Push - _ViscosityFactor * sums.Drag) - _GradientFactor * sums.Moved;
+    float3 acceleration = (sums.Push - _ViscosityFactor * sums.Drag) * _SlopeFactor;
+    [branch]
+    if (IsHeld(place.xyz))
+    {
+        acceleration += WallFriction(place.xyz, sums.Velocity);
+    }
+    return _TimeStep * _TimeStep * acceleration - _GradientFactor * sums.Moved;
 #else
     return -_GradientFactor * ListedPairs(id, place.xyz, sums).Moved;
 #endif
@@ -118,7 +124,7 @@ float3 PlaneShell(NearWall wall, float3 moved, float3 predicted, float3 position
 }
 
 // dx by the pairs' part and the planes of triangles. changes: what each plane gave the velocity, m/s.
-float3 MovedByPlanes(NearWall wall, float4 place, float3 pushed, float3 predicted, out float3 changes[WALL_PLANES])
+float3 MovedByPlanes(NearWall wall, uint id, float4 place, float3 pushed, out float3 changes[WALL_PLANES])
 {
     const float wallChange = place.w * _InverseMoment;
     float3 shares[WALL_PLANES];
@@ -129,7 +135,16 @@ float3 MovedByPlanes(NearWall wall, float4 place, float3 pushed, float3 predicte
     {
         changes[k] = wallChange * shares[k];
     }
-    const float3 moved = PlaneShell(wall, pushed + wallChange * DensityOf(wall).Gradient, predicted, place.xyz, changes);
+#if defined(FIRST_MOTION)
+    const float3 held = _TimeStep * _TimeStep * MeshFriction(wall, _Velocities[id].xyz);
+    pushed += held;
+    [unroll]
+    for (k = 0u; k < uint(WALL_PLANES); k++)
+    {
+        changes[k] += k == FrictionalPlane(wall) ? held : float3(0.0, 0.0, 0.0);
+    }
+#endif
+    const float3 moved = PlaneShell(wall, pushed + wallChange * DensityOf(wall).Gradient, _Positions[id].xyz, place.xyz, changes);
     [unroll]
     for (k = 0u; k < uint(WALL_PLANES); k++)
     {

@@ -14,17 +14,15 @@ namespace SphFluid.Tests
         private static readonly Vector3 Domain = new Vector3(0.4f, 0.35f, 0.36f);
         private static readonly FluidStep Step = new FluidStep(TimeStep, TimeStep, false);
 
-        [TestCase(1, FluidAxes.None, 0f)]
-        [TestCase(63, FluidAxes.All, 0f)]
-        [TestCase(64, FluidAxes.None, 0f)]
-        [TestCase(65, FluidAxes.X, 0f)]
-        [TestCase(251, FluidAxes.None, 0f)]
-        [TestCase(251, FluidAxes.None, 1f)]
-        public void VelocitiesAreTheDisplacementsAndFacesHoldThem(int count, FluidAxes periodic, float friction)
+        [TestCase(1, FluidAxes.None)]
+        [TestCase(63, FluidAxes.All)]
+        [TestCase(64, FluidAxes.None)]
+        [TestCase(65, FluidAxes.X)]
+        [TestCase(251, FluidAxes.None)]
+        public void VelocitiesAreTheDisplacements(int count, FluidAxes periodic)
         {
             FluidSolverSettings settings = RobustStateRig.Robust(Domain, Spacing, periodic);
             settings.Viscosity = 2f;
-            settings.Boundaries.Friction = friction;
             using (var rig = new RobustStateRig(settings, count))
             {
                 FluidParticle[] particles = Prepared(rig);
@@ -34,14 +32,9 @@ namespace SphFluid.Tests
                     places = GpuTest.Read<Vector4>(rig.State.Buffers.NewPositions, count);
                 Vector4[] carried = GpuTest.Read<Vector4>(rig.State.Motion.NewStarts, count);
                 RobustStateRig.AssertCounted(rig.State, places, Enumerable.Range(0, count).ToArray());
-                Vector3 half = 0.5f * Domain;
                 for (int i = 0; i < count; i++)
                 {
-                    Double3 v = particles[i].VelT0;
-                    bool nearFace = Enumerable.Range(0, 3).Any(a => half[a] - Mathf.Abs(particles[i].Position[a]) < settings.SupportRadius);
-                    Double3 error = (Double3)(Vector3)velocities[i] - v;
-                    if (friction == 0f || !nearFace) Assert.That(error.Length, Is.LessThan(1e-3), $"velocity of {i}");
-                    else Assert.That(Double3.Dot(error, v), Is.LessThan(1e-6), $"walls at rest take speed from {i}");
+                    Assert.That(((Vector3)velocities[i] - particles[i].VelT0).magnitude, Is.LessThan(1e-3f), $"velocity of {i}");
                     Assert.That(RobustStateRig.ToBits(velocities[i].w), Is.EqualTo(particles[i].Id));
                     Assert.That(((Vector3)places[i] - particles[i].Position).magnitude, Is.LessThan(1e-6f));
                     Assert.That(carried[i].w, Is.EqualTo(1e-6f * i * settings.RestDensity / (TimeStep * TimeStep)).Within(1e-3).Percent,

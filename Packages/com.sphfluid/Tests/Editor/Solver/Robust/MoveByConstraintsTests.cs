@@ -45,6 +45,36 @@ namespace SphFluid.Tests
         }
 
         [Test]
+        public void WallsAtRestTakeSpeed()
+        {
+            const int count = 251;
+            Vector4[] Moved(float friction, out FluidParticle[] particles, out float radius)
+            {
+                FluidSolverSettings settings = RobustStateRig.Robust(Domain, Spacing);
+                settings.Viscosity = 2f;
+                settings.Boundaries.Friction = friction;
+                radius = settings.SupportRadius;
+                using (var rig = new RobustStateRig(settings, count))
+                {
+                    particles = Prepared(rig, out _);
+                    rig.SetTerms(new Vector2[count]);
+                    var pass = new MoveByConstraintsPass(rig.Shaders);
+                    GpuTest.Run(cmd => pass.RecordFirst(cmd, rig.State, TimeStep, 2));
+                    return GpuTest.Read<Vector4>(rig.State.Motion.Displacements, count);
+                }
+            }
+            Vector4[] free = Moved(0f, out FluidParticle[] at, out float reach), held = Moved(1f, out _, out _);
+            for (int i = 0; i < count; i++)
+            {
+                Vector3 change = held[i] - free[i], gap = 0.5f * Domain;
+                bool nearFace = Enumerable.Range(0, 3).Any(a => gap[a] - Mathf.Abs(at[i].Position[a]) < reach);
+                if (nearFace) Assert.That(Vector3.Dot(change, at[i].VelT0), Is.LessThan(1e-9f), $"particle {i}");
+                else Assert.That(change, Is.EqualTo(Vector3.zero), $"particle {i}");
+            }
+            Assert.That(Enumerable.Range(0, count).Max(i => ((Vector3)(held[i] - free[i])).magnitude), Is.GreaterThan(1e-5f));
+        }
+
+        [Test]
         public void LaterIterationsGoOnFromTheLast()
         {
             FluidSolverSettings settings = RobustStateRig.Robust(Domain, Spacing, FluidAxes.All);
