@@ -7,30 +7,29 @@ namespace SphFluid
     {
         private static readonly int InverseStep = Id("_InverseStep");
         private static readonly int PressureFactor = Id("_PressureFactor");
+        private static readonly int IsMoved = Id("_IsMoved");
 
-        private readonly ComputeKernel first, later;
+        private readonly ComputeKernel kernel;
 
         public FinishParticlesPass(FluidShaderSet shaders)
             : base(shaders, "FinishParticles")
         {
-            first = Kernel("FinishFirst");
-            later = Kernel();
+            kernel = Kernel();
         }
 
         /// <param name="cmd">Command buffer.</param>
         /// <param name="state">Buffers.</param>
         /// <param name="step">The step.</param>
-        /// <param name="iterations">Its iterations.</param>
-        public void Record(CommandBuffer cmd, RobustState state, in FluidStep step, int iterations)
+        /// <param name="isMoved">Whether its only iteration has moved the particles already.</param>
+        public void Record(CommandBuffer cmd, RobustState state, in FluidStep step, bool isMoved)
         {
             FluidSolverSettings settings = state.Settings;
-            ComputeKernel kernel = iterations == 1 ? first : later;
             using (Sample(cmd))
             {
                 RobustBindings.SetMotion(cmd, kernel, state, step.Length);
-                if (iterations == 1) RobustBindings.SetDrag(cmd, kernel, state, step.Length, iterations);
                 kernel.SetFloat(cmd, InverseStep, 1f / step.Length);
                 kernel.SetFloat(cmd, PressureFactor, settings.RestDensity / (step.Length * step.Length));
+                kernel.SetBool(cmd, IsMoved, isMoved);
                 kernel.Set(cmd, state.Motion.Displacements);
                 kernel.SetOut(cmd, state.Buffers.NewVelocities);
                 kernel.SetBuffer(cmd, CellBindings.CarriedOut, state.Carried);

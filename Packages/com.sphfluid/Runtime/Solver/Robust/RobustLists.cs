@@ -18,7 +18,8 @@ namespace SphFluid
         /// <param name="timeStep">Length of a step [s].</param>
         /// <param name="speed">Speed at which bodies of liquid move [m/s].</param>
         public static double StepsAfter(in FluidSolverSettings settings, double timeStep, double speed) =>
-            settings.Own<RobustSettings>().NeighbourList ? Math.Floor(MostClosing * settings.SupportRadius / (2.0 * speed * timeStep)) : 0.0;
+            settings.Own<RobustSettings>().NeighbourList ? Math.Floor(MostClosing * settings.SupportRadius / (2.0 * speed * timeStep))
+                : 0.0;
 
         /// <summary>Steps that may go on with lists after they were made; 0 for none.</summary>
         /// <param name="state">The liquid.</param>

@@ -89,11 +89,10 @@ namespace SphFluid
                 if (i > 0) constrainDensity.RecordListed(cmd, state, compliance, state.Buffers.NewPositions);
                 else if (keeps) constrainDensity.RecordListed(cmd, state, compliance, state.Buffers.Positions);
                 else constrainDensity.Record(cmd, state, compliance);
-                if (i + 1 == iterations) finishParticles.Record(cmd, state, step, iterations);
-                else if (i == 0) moveByConstraints.RecordFirst(cmd, state, step.Length, iterations);
-                else moveByConstraints.Record(cmd, state, step.Length);
+                if (i == 0 || i + 1 < iterations) moveByConstraints.Record(cmd, state, step.Length, iterations, i == 0);
             }
 
+            finishParticles.Record(cmd, state, step, iterations == 1);
             if (state.HasBodies)
             {
                 if (state.HasFloatingBodies) MoveBodies.Record(cmd, state, step);

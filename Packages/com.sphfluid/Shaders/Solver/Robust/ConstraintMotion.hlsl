@@ -4,22 +4,21 @@
 // The motion of a particle by what an iteration changed of the multipliers:
 //   dx_i = sum_j (dlambda_i + dlambda_j) (m / (rho0 M)) grad W_ij + dlambda_i grad L_i / M,
 // summed up as a displacement of its own from where the substep began: v is that over dt, and equal and opposite changes stay so in float.
-// No particle is brought nearer to a wall than the shell, or than it was predicted. The first motion of a substep, of a kernel that defines
-// FIRST_MOTION, adds dt^2 times what acts on the predicted velocities: laminar viscosity (Morris et al. 1997), the parting of close pairs
-// and friction of walls. The iterations behind it have the last word: what parted pairs that no longer approach would add energy.
-// A kernel that includes this file has the keywords FLUID_PERIODIC and FLUID_MESH_WALLS, includes FluidCounters.hlsl before it, and defines
-// DISPLACEMENTS, where the motion before left them.
+// No particle is brought nearer to a wall than the shell, or than it was predicted. A kernel that defines DRAGS adds, in the first motion of
+// a substep, dt^2 times what acts on the predicted velocities: laminar viscosity (Morris et al. 1997), the parting of close pairs and
+// friction of walls. The iterations behind it have the last word: what parted pairs that no longer approach would add energy. A kernel
+// that includes this file has the keywords FLUID_PERIODIC and FLUID_MESH_WALLS, and includes FluidCounters.hlsl before it.
 #include "../Cells/Wendland.hlsl"
 #include "../Cells/ClosePairs.hlsl"
 
 StructuredBuffer<float4> _Positions; // predicted
 StructuredBuffer<float4> _Starts;    // where the substep began
-#if defined(FIRST_MOTION)
+#if defined(DRAGS)
 StructuredBuffer<float4> _Velocities; // predicted; w: the id's bits
+float _DragStep;        // dt^2, s^2; 0: not the first motion of the substep
 float _SlopeFactor;     // m 210 / (pi R^5) / M
 float _ViscosityFactor; // 2 nu / rho0
 float _LeastSeparation; // m, for particles that share a place
-float _Spacing;         // m
 #endif
 float _GradientFactor; // m 210 / (pi R^5) / (M rho0)
 float _InverseMoment;  // 1 / M
@@ -28,7 +27,7 @@ struct PairSums
 {
     float Change; // dlambda_i
     float3 Moved;
-#if defined(FIRST_MOTION)
+#if defined(DRAGS)
     uint Id;
     float3 Velocity;
     float3 Push;
@@ -40,7 +39,7 @@ void AddPair(inout PairSums sums, uint other, float w, float3 d, float distanceS
 {
     const float slope = WendlandSlope(distanceSquared);
     sums.Moved += (slope * (sums.Change + w)) * d;
-#if defined(FIRST_MOTION)
+#if defined(DRAGS)
     const float3 relativeVelocity = sums.Velocity - _Velocities[other].xyz;
     // Two that share a place part along x, by their order.
     const float side = sums.Id < other ? _LeastSeparation : (sums.Id > other ? -_LeastSeparation : 0.0);
@@ -54,27 +53,12 @@ void AddPair(inout PairSums sums, uint other, float w, float3 d, float distanceS
 #include "../Cells/WallMotion.hlsl"
 #include "../Cells/BodyShares.hlsl"
 
-// How far the particle has come from its start; w: the id's bits.
-float4 DisplacementBefore(uint id)
-{
-#if defined(FIRST_MOTION)
-    // Contact may have ended the prediction elsewhere than the velocity does.
-    const float4 velocity = _Velocities[id];
-    const float3 gone = Separation(_Positions[id].xyz, _Starts[id].xyz);
-    const float3 carried = _TimeStep * velocity.xyz;
-    const float3 apart = gone - carried;
-    return float4(dot(apart, apart) < 1e-6 * _Spacing * _Spacing ? carried : gone, velocity.w);
-#else
-    return DISPLACEMENTS[id];
-#endif
-}
-
 // dx by the pairs, and what the faces of the domain hold.
 float3 MovedByPairs(uint id, float4 place)
 {
     PairSums sums = (PairSums)0;
     sums.Change = place.w;
-#if defined(FIRST_MOTION)
+#if defined(DRAGS)
     sums.Id = id;
     sums.Velocity = _Velocities[id].xyz;
     sums = ListedPairs(id, place.xyz, sums);
@@ -84,19 +68,9 @@ float3 MovedByPairs(uint id, float4 place)
     {
         acceleration += WallFriction(place.xyz, sums.Velocity);
     }
-    return _TimeStep * _TimeStep * acceleration - _GradientFactor * sums.Moved;
+    return _DragStep * acceleration - _GradientFactor * sums.Moved;
 #else
     return -_GradientFactor * ListedPairs(id, place.xyz, sums).Moved;
-#endif
-}
-
-// lambda with what the iteration changed of it, m^2. before: NewPositions, w: lambda.
-float MultiplierAfter(float4 place, float4 before)
-{
-#if defined(FIRST_MOTION)
-    return place.w;
-#else
-    return place.w + before.w;
 #endif
 }
 
@@ -135,8 +109,8 @@ float3 MovedByPlanes(NearWall wall, uint id, float4 place, float3 pushed, out fl
     {
         changes[k] = wallChange * shares[k];
     }
-#if defined(FIRST_MOTION)
-    const float3 held = _TimeStep * _TimeStep * MeshFriction(wall, _Velocities[id].xyz);
+#if defined(DRAGS)
+    const float3 held = _DragStep * MeshFriction(wall, _Velocities[id].xyz);
     pushed += held;
     [unroll]
     for (k = 0u; k < uint(WALL_PLANES); k++)

@@ -25,7 +25,7 @@ namespace SphFluid.Tests
             {
                 FluidParticle[] particles = Prepared(rig, out Vector4[] terms);
                 var pass = new MoveByConstraintsPass(rig.Shaders);
-                GpuTest.Run(cmd => pass.RecordFirst(cmd, rig.State, TimeStep, 2));
+                GpuTest.Run(cmd => pass.Record(cmd, rig.State, TimeStep, 2, true));
                 Vector4[] displacements = GpuTest.Read<Vector4>(rig.State.Motion.Displacements, count);
                 Vector4[] places = GpuTest.Read<Vector4>(rig.State.Buffers.NewPositions, count);
                 for (int i = 0; i < count; i++)
@@ -59,7 +59,7 @@ namespace SphFluid.Tests
                     particles = Prepared(rig, out _);
                     rig.SetTerms(new Vector2[count]);
                     var pass = new MoveByConstraintsPass(rig.Shaders);
-                    GpuTest.Run(cmd => pass.RecordFirst(cmd, rig.State, TimeStep, 2));
+                    GpuTest.Run(cmd => pass.Record(cmd, rig.State, TimeStep, 2, true));
                     return GpuTest.Read<Vector4>(rig.State.Motion.Displacements, count);
                 }
             }
@@ -83,12 +83,12 @@ namespace SphFluid.Tests
             {
                 Prepared(rig, out Vector4[] terms);
                 var pass = new MoveByConstraintsPass(rig.Shaders);
-                GpuTest.Run(cmd => pass.RecordFirst(cmd, rig.State, TimeStep, 2));
+                GpuTest.Run(cmd => pass.Record(cmd, rig.State, TimeStep, 2, true));
                 Vector4[] Moved() => GpuTest.Read<Vector4>(rig.State.Motion.Displacements, count);
                 Vector4[] first = Moved(), at = GpuTest.Read<Vector4>(rig.State.Buffers.NewPositions, count);
-                GpuTest.Run(cmd => pass.Record(cmd, rig.State, TimeStep));
+                GpuTest.Run(cmd => pass.Record(cmd, rig.State, TimeStep, 2, false));
                 Vector4[] second = Moved(), then = GpuTest.Read<Vector4>(rig.State.Buffers.NewPositions, count);
-                GpuTest.Run(cmd => pass.Record(cmd, rig.State, TimeStep));
+                GpuTest.Run(cmd => pass.Record(cmd, rig.State, TimeStep, 2, false));
                 Vector4[] third = Moved();
                 for (int i = 0; i < count; i++)
                 {
@@ -108,7 +108,7 @@ namespace SphFluid.Tests
             {
                 FluidParticle[] particles = Prepared(rig, out _, 1f);
                 var pass = new MoveByConstraintsPass(rig.Shaders);
-                GpuTest.Run(cmd => pass.RecordFirst(cmd, rig.State, TimeStep, 2));
+                GpuTest.Run(cmd => pass.Record(cmd, rig.State, TimeStep, 2, true));
                 Vector4[] places = GpuTest.Read<Vector4>(rig.State.Buffers.NewPositions, count),
                     moved = GpuTest.Read<Vector4>(rig.State.Motion.Displacements, count);
                 Vector4[] starts = GpuTest.Read<Vector4>(rig.State.Motion.Starts, count);
@@ -140,7 +140,7 @@ namespace SphFluid.Tests
                 rig.State.Buffers.Velocities
                     .SetData(particles.Select(p => RobustStateRig.WithW(Vector3.right, RobustStateRig.FromBits(p.Id))).ToArray());
                 var pass = new MoveByConstraintsPass(rig.Shaders);
-                GpuTest.Run(cmd => pass.RecordFirst(cmd, rig.State, TimeStep, 2));
+                GpuTest.Run(cmd => pass.Record(cmd, rig.State, TimeStep, 2, true));
                 foreach (Vector4 displacement in GpuTest.Read<Vector4>(rig.State.Motion.Displacements, count))
                 {
                     Assert.That(((Vector3)displacement - 0.01f * Vector3.one).magnitude, Is.LessThan(1e-3f * Spacing));
@@ -162,7 +162,7 @@ namespace SphFluid.Tests
                 FluidParticle[] particles = Prepared(rig, out _);
                 rig.SetTerms(new Vector2[count]);
                 var pass = new MoveByConstraintsPass(rig.Shaders);
-                GpuTest.Run(cmd => pass.RecordFirst(cmd, rig.State, TimeStep, 2));
+                GpuTest.Run(cmd => pass.Record(cmd, rig.State, TimeStep, 2, true));
                 double before = particles.Sum(p => Double3.Dot(p.VelT0, p.VelT0)),
                     after = GpuTest.Read<Vector4>(rig.State.Motion.Displacements, count)
                     .Sum(u => Double3.Dot((Vector3)u, (Vector3)u) / (TimeStep * (double)TimeStep));
