@@ -18,7 +18,7 @@ namespace SphFluid
 
         /// <summary>
         /// Positions after the step [m]; w: below zero of a particle that left, else what the method takes along: with Standard the density
-        /// with which the step began.
+        /// with which the step began. As long as Positions: methods exchange them.
         /// </summary>
         public readonly FluidBuffer NewPositions;
 
@@ -55,7 +55,7 @@ namespace SphFluid
         {
             Positions = AddForEach("Positions", particleCount, 16, 3);
             Velocities = AddForEach("Velocities", particleCount, 16);
-            NewPositions = AddForEach("NewPositions", particleCount, 16);
+            NewPositions = AddForEach("NewPositions", particleCount, 16, 3);
             NewVelocities = AddForEach("NewVelocities", particleCount, 16);
             PositionTerms = AddForEach("PositionTerms", particleCount, 16);
             Order = AddForEach("Order", particleCount, 4);

@@ -38,17 +38,18 @@ namespace SphFluid
             }
         }
 
-        /// <summary>A later iteration, where the last one left the particles.</summary>
+        /// <summary>A later iteration, or the first of a step whose neighbours are listed.</summary>
         /// <param name="cmd">Command buffer.</param>
         /// <param name="state">Buffers.</param>
         /// <param name="compliance">α [1/m²].</param>
-        public void RecordListed(CommandBuffer cmd, RobustState state, double compliance)
+        /// <param name="places">Where the particles are [m]; w: λ [m²].</param>
+        public void RecordListed(CommandBuffer cmd, RobustState state, double compliance, FluidBuffer places)
         {
             using (Sample(cmd))
             {
                 Bind(cmd, listed, state);
                 BindConstraint(cmd, listed, state, compliance);
-                listed.SetBuffer(cmd, Places, state.Buffers.NewPositions);
+                listed.SetBuffer(cmd, Places, places);
                 listed.DispatchThreads(cmd, state.ParticleCount);
             }
         }
@@ -72,7 +73,7 @@ namespace SphFluid
         private static void BindSearch(CommandBuffer cmd, ComputeKernel kernel, RobustState state)
         {
             Bind(cmd, kernel, state);
-            kernel.SetFloat(cmd, Ahead, 0f);
+            kernel.SetFloat(cmd, Ahead, state.ListTime);
             kernel.Set(cmd, state.Buffers.Velocities);
         }
 

@@ -1,18 +1,13 @@
-using System;
 using UnityEngine.Rendering;
 
 namespace SphFluid
 {
-    /// <summary>
-    /// Velocities of a step from its displacements, and what acts on velocities: viscosity, friction, the parting of close pairs.
-    /// </summary>
+    /// <summary>The last motion of a step by its constraints, and velocities from displacements.</summary>
     internal sealed class FinishParticlesPass : ComputePass
     {
         private static readonly int InverseStep = Id("_InverseStep");
-        private static readonly int SlopeFactor = Id("_SlopeFactor");
-        private static readonly int ViscosityFactor = Id("_ViscosityFactor");
         private static readonly int PressureFactor = Id("_PressureFactor");
-        private static readonly int LeastSeparation = Id("_LeastSeparation");
+        private static readonly int IsMoved = Id("_IsMoved");
 
         private readonly ComputeKernel kernel;
 
@@ -25,25 +20,16 @@ namespace SphFluid
         /// <param name="cmd">Command buffer.</param>
         /// <param name="state">Buffers.</param>
         /// <param name="step">The step.</param>
-        /// <param name="iterations">Its iterations.</param>
-        public void Record(CommandBuffer cmd, RobustState state, in FluidStep step, int iterations)
+        /// <param name="isMoved">Whether its only iteration has moved the particles already.</param>
+        public void Record(CommandBuffer cmd, RobustState state, in FluidStep step, bool isMoved)
         {
             FluidSolverSettings settings = state.Settings;
-            double moment = WendlandKernel.LatticeMoment(settings.SupportRadius / settings.Spacing);
-            double slope = settings.ParticleMass * WendlandKernel.SlopeFactor(settings.SupportRadius) / moment;
-            float viscosity = (float)(RobustRules.ActingViscosity(settings, step.Length) / settings.RestDensity);
-            float sound = (float)Math.Min(settings.SoundSpeed, RobustRules.EffectiveSoundSpeed(settings, step.Length, iterations));
             using (Sample(cmd))
             {
-                RobustBindings.SetPairs(cmd, kernel, state);
-                CellBindings.SetShell(cmd, kernel, settings, step.Length);
-                CellBindings.SetFriction(cmd, kernel, state, viscosity);
-                ClosePairs.Set(cmd, kernel, settings.WithSoundSpeed(sound), slope, step.Length);
+                RobustBindings.SetMotion(cmd, kernel, state, step.Length);
                 kernel.SetFloat(cmd, InverseStep, 1f / step.Length);
-                kernel.SetFloat(cmd, SlopeFactor, (float)slope);
-                kernel.SetFloat(cmd, ViscosityFactor, 2f * viscosity / settings.RestDensity);
                 kernel.SetFloat(cmd, PressureFactor, settings.RestDensity / (step.Length * step.Length));
-                kernel.SetFloat(cmd, LeastSeparation, 1e-3f * settings.SupportRadius);
+                kernel.SetBool(cmd, IsMoved, isMoved);
                 kernel.Set(cmd, state.Motion.Displacements);
                 kernel.SetOut(cmd, state.Buffers.NewVelocities);
                 kernel.SetBuffer(cmd, CellBindings.CarriedOut, state.Carried);

@@ -12,20 +12,31 @@ namespace SphFluid
         /// <summary>The factors of a constraint's gradients: m 210/(π R⁵)/(M ρ0) for pairs, 1/M for walls.</summary>
         public static void SetGradients(CommandBuffer cmd, ComputeKernel kernel, in FluidSolverSettings settings)
         {
-            double moment = WendlandKernel.LatticeMoment(settings.SupportRadius / settings.Spacing);
-            double slope = settings.ParticleMass * WendlandKernel.SlopeFactor(settings.SupportRadius);
-            kernel.SetFloat(cmd, GradientFactor, (float)(slope / (moment * settings.RestDensity)));
-            kernel.SetFloat(cmd, InverseMoment, (float)(1.0 / moment));
+            kernel.SetFloat(cmd, GradientFactor, (float)(Slope(settings) / settings.RestDensity));
+            kernel.SetFloat(cmd, InverseMoment, (float)(1.0 / Moment(settings)));
         }
 
-        /// <summary>ListedPairs.hlsl: the pairs that the last pass over the densities listed.</summary>
-        public static void SetPairs(CommandBuffer cmd, ComputeKernel kernel, RobustState state)
+        /// <summary>
+        /// ListedPairs.hlsl and ConstraintMotion.hlsl: the pairs that the last pass over the densities listed, and the motion by what it
+        /// changed of the multipliers.
+        /// </summary>
+        public static void SetMotion(CommandBuffer cmd, ComputeKernel kernel, RobustState state, float timeStep)
         {
             CellBindings.SetSearch(cmd, kernel, state);
             CellBindings.SetWalls(cmd, kernel, state);
+            CellBindings.SetShell(cmd, kernel, state.Settings, timeStep);
+            SetGradients(cmd, kernel, state.Settings);
             state.List.Set(cmd, kernel);
             kernel.Set(cmd, state.Buffers.Positions);
             kernel.Set(cmd, state.Buffers.PositionTerms);
+            kernel.Set(cmd, state.Motion.Starts);
         }
+
+        private static double Moment(in FluidSolverSettings settings) =>
+            WendlandKernel.LatticeMoment(settings.SupportRadius / settings.Spacing);
+
+        /// <summary>m 210/(π R⁵)/M, with which (1 − q)³ d makes a gradient [kg/m⁵].</summary>
+        public static double Slope(in FluidSolverSettings settings) =>
+            settings.ParticleMass * WendlandKernel.SlopeFactor(settings.SupportRadius) / Moment(settings);
     }
 }

@@ -79,12 +79,13 @@ namespace SphFluid
         {
             int steps = FrameClock.StepsOf(frameTime, settings.Own<RobustSettings>().Substeps,
                 RobustRules.LongestFrame / settings.Own<RobustSettings>().Substeps);
-            int iterations = RobustRules.IterationsFor(settings, frameTime / steps, speed);
-            return new FrameWork(steps, 2.0 * iterations + 1.0, steps + 1.0, 1.0);
+            double step = frameTime / steps, kept = RobustLists.StepsAfter(settings, step, speed);
+            double sorts = Math.Ceiling(Math.Max(0.0, steps - kept) / (kept + 1.0));
+            return new FrameWork(steps, 2.0 * RobustRules.IterationsFor(settings, step, speed), sorts + 1.0, 1.0);
         }
 
-        // Two an iteration, the last one and the search.
-        private static double PassesFor(int iterations) => 2.0 * iterations + 2.0;
+        // Two an iteration, and the search.
+        private static double PassesFor(int iterations) => 2.0 * iterations + 1.0;
 
         public override IFluidStepper Start(in FluidSolverSettings settings, FluidShaderSet shaders, int particleCount) =>
             new RobustStepper(settings, shaders, particleCount);

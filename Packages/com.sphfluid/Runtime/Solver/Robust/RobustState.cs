@@ -41,6 +41,14 @@ namespace SphFluid
         /// <inheritdoc/>
         protected override long OwnBytes => base.OwnBytes + Motion.Bytes;
 
+        /// <summary>Makes the prediction what a sort makes of it, in the order of the last one.</summary>
+        public void TakePrediction()
+        {
+            FluidBuffer.Exchange(Buffers.Positions, Buffers.NewPositions);
+            FluidBuffer.Exchange(Buffers.Velocities, Buffers.NewVelocities);
+            FluidBuffer.Exchange(Motion.Starts, Motion.NewStarts);
+        }
+
         /// <inheritdoc/>
         public override void Dispose()
         {

@@ -11,16 +11,20 @@ namespace SphFluid.Tests
     {
         private readonly FluidSolverSettings settings;
         private readonly double dt, kick, response, radius, rest, ratio;
+        private readonly bool keepsLists;
         private readonly double[] multipliers;
-        private readonly bool[,] listed; // pairs nearer than R where they were predicted; others act in the next step
-        private readonly Double3[] starts, velocities, displacements, places, constrained;
+        private readonly bool[,] listed; // pairs nearer than R at the sort; others act after the next one
+        private readonly Double3[] starts, velocities, displacements, places;
 
         /// <param name="particles">Particles when the step begins.</param>
         /// <param name="settings">Constants of the Robust method.</param>
         /// <param name="dt">Length of the step [s].</param>
         /// <param name="kick">How far forces from outside take the velocities [s].</param>
-        public RobustReference(IReadOnlyList<FluidParticle> particles, in FluidSolverSettings settings, double dt, double kick)
+        /// <param name="keepsLists">Whether neighbours are listed where the step begins, not where it is predicted to end.</param>
+        public RobustReference(IReadOnlyList<FluidParticle> particles, in FluidSolverSettings settings, double dt, double kick,
+            bool keepsLists)
         {
+            this.keepsLists = keepsLists;
             this.settings = settings;
             this.dt = dt;
             this.kick = kick;
@@ -34,7 +38,6 @@ namespace SphFluid.Tests
             velocities = new Double3[particles.Count];
             displacements = new Double3[particles.Count];
             places = new Double3[particles.Count];
-            constrained = new Double3[particles.Count];
             for (int i = 0; i < particles.Count; i++)
             {
                 starts[i] = particles[i].Position;
@@ -68,12 +71,19 @@ namespace SphFluid.Tests
         /// <param name="sound">Speed of sound of the parting of close pairs [m/s].</param>
         public void Step(int iterations, double viscosity, double sound)
         {
+            if (keepsLists) List(starts);
             Predict();
+            if (!keepsLists) List(places);
             var predicted = (Double3[])places.Clone();
-            for (int i = 0; i < places.Length; i++)
-                for (int j = 0; j < places.Length; j++) listed[i, j] = i != j && Apart(i, j, places).Length < radius;
-            for (int n = 0; n < iterations; n++) Iterate(predicted);
-            Finish(viscosity, sound);
+            FluidSolverSettings pairs = settings.WithSoundSpeed((float)sound);
+            for (int n = 0; n < iterations; n++) Iterate(predicted, n == 0 ? Dragged(viscosity, pairs) : new Double3[places.Length]);
+            for (int i = 0; i < places.Length; i++) velocities[i] = displacements[i] / dt;
+        }
+
+        private void List(Double3[] at)
+        {
+            for (int i = 0; i < at.Length; i++)
+                for (int j = 0; j < at.Length; j++) listed[i, j] = i != j && Apart(i, j, at).Length < radius;
         }
 
         private void Predict()
@@ -112,10 +122,9 @@ namespace SphFluid.Tests
                 (2.0 * h);
         }
 
-        private void Iterate(Double3[] predicted)
+        private void Iterate(Double3[] predicted, Double3[] accelerations)
         {
             int count = places.Length;
-            places.CopyTo(constrained, 0);
             double relaxation = settings.Own<RobustSettings>().Relaxation, reach = settings.SoundSpeed * dt,
                 compliance = 1.0 / (reach * reach);
             var changes = new double[count];
@@ -146,7 +155,7 @@ namespace SphFluid.Tests
             var moved = new Double3[count];
             for (int i = 0; i < count; i++)
             {
-                moved[i] = changes[i] / response * walls[i];
+                moved[i] = changes[i] / response * walls[i] + dt * dt * accelerations[i];
                 for (int j = 0; j < count; j++)
                 {
                     Double3 d = Apart(i, j, places);
@@ -173,25 +182,21 @@ namespace SphFluid.Tests
                 Within(p.Z, predicted.Z, half.z, period.z));
         }
 
-        // Forces at the places at which the last multipliers were found.
-        private void Finish(double viscosity, double sound)
+        // What viscosity and the parting of close pairs do where the particles are predicted.
+        private Double3[] Dragged(double viscosity, in FluidSolverSettings pairs)
         {
-            int count = places.Length;
-            FluidSolverSettings pairs = settings.WithSoundSpeed((float)sound);
-            var before = new Double3[count];
-            for (int i = 0; i < count; i++) before[i] = displacements[i] / dt;
-            for (int i = 0; i < count; i++)
+            var sums = new Double3[places.Length];
+            for (int i = 0; i < places.Length; i++)
             {
-                Double3 sum = new Double3();
-                for (int j = 0; j < count; j++)
+                for (int j = 0; j < places.Length; j++)
                 {
-                    Double3 d = Apart(i, j, constrained), relative = before[i] - before[j];
+                    Double3 d = Apart(i, j, places), relative = velocities[i] - velocities[j];
                     if (!listed[i, j] || d.Length >= radius) continue;
-                    sum += 2.0 * viscosity / rest * ratio * StandardReference.Slope(d.Length, radius) / d.Length * relative;
-                    sum += StandardReference.Parting(d, relative, pairs);
+                    sums[i] += 2.0 * viscosity / rest * ratio * StandardReference.Slope(d.Length, radius) / d.Length * relative;
+                    sums[i] += StandardReference.Parting(d, relative, pairs);
                 }
-                velocities[i] = before[i] + dt * sum;
             }
+            return sums;
         }
     }
 }

@@ -55,7 +55,8 @@ namespace SphFluid.Tests
                     Vector4[] terms = GpuTest.Read<Vector4>(buffers.PositionTerms, count);
                     for (int i = 0; i < count; i++) multipliers[i] += terms[i].w;
                     buffers.NewPositions.SetData(particles.Select((p, i) => RobustStateRig.WithW(p.Position, multipliers[i])).ToArray());
-                    GpuTest.Run(cmd => pass.RecordListed(cmd, rig.State, RobustRules.Compliance(settings, 1e-4, 1e-4, 1)));
+                    GpuTest.Run(cmd => pass.RecordListed(cmd, rig.State, RobustRules.Compliance(settings, 1e-4, 1e-4, 1),
+                        rig.State.Buffers.NewPositions));
                 }
                 double reach = settings.SoundSpeed * 1e-4;
                 for (int i = 0; i < count; i++)

@@ -17,19 +17,21 @@ namespace SphFluid.Tests
         [TestCase(64, FluidAxes.None)]
         [TestCase(65, FluidAxes.Y)]
         [TestCase(251, FluidAxes.None)]
-        public void ChangesOfTheMultipliersMoveAlongTheGradients(int count, FluidAxes periodic)
+        public void ChangesOfTheMultipliersMoveAlongTheGradientsAndPairsDrag(int count, FluidAxes periodic)
         {
             FluidSolverSettings settings = RobustStateRig.Robust(Domain, Spacing, periodic);
+            settings.Viscosity = 2f;
             using (var rig = new RobustStateRig(settings, count))
             {
                 FluidParticle[] particles = Prepared(rig, out Vector4[] terms);
                 var pass = new MoveByConstraintsPass(rig.Shaders);
-                GpuTest.Run(cmd => pass.Record(cmd, rig.State, TimeStep, true));
+                GpuTest.Run(cmd => pass.Record(cmd, rig.State, TimeStep, 2, true));
                 Vector4[] displacements = GpuTest.Read<Vector4>(rig.State.Motion.Displacements, count);
                 Vector4[] places = GpuTest.Read<Vector4>(rig.State.Buffers.NewPositions, count);
                 for (int i = 0; i < count; i++)
                 {
-                    Double3 expected = TimeStep * (Double3)particles[i].VelT0 + Moved(particles, terms, i, settings);
+                    Double3 expected = TimeStep * (Double3)particles[i].VelT0 + Moved(particles, terms, i, settings) +
+                        TimeStep * TimeStep * Dragged(particles, i, settings);
                     Assert.That(RobustStateRig.ToBits(displacements[i].w), Is.EqualTo(particles[i].Id));
                     Assert.That(places[i].w, Is.EqualTo(terms[i].w), "multiplier");
                     for (int axis = 0; axis < 3; axis++)
@@ -43,6 +45,36 @@ namespace SphFluid.Tests
         }
 
         [Test]
+        public void WallsAtRestTakeSpeed()
+        {
+            const int count = 251;
+            Vector4[] Moved(float friction, out FluidParticle[] particles, out float radius)
+            {
+                FluidSolverSettings settings = RobustStateRig.Robust(Domain, Spacing);
+                settings.Viscosity = 2f;
+                settings.Boundaries.Friction = friction;
+                radius = settings.SupportRadius;
+                using (var rig = new RobustStateRig(settings, count))
+                {
+                    particles = Prepared(rig, out _);
+                    rig.SetTerms(new Vector2[count]);
+                    var pass = new MoveByConstraintsPass(rig.Shaders);
+                    GpuTest.Run(cmd => pass.Record(cmd, rig.State, TimeStep, 2, true));
+                    return GpuTest.Read<Vector4>(rig.State.Motion.Displacements, count);
+                }
+            }
+            Vector4[] free = Moved(0f, out FluidParticle[] at, out float reach), held = Moved(1f, out _, out _);
+            for (int i = 0; i < count; i++)
+            {
+                Vector3 change = held[i] - free[i], gap = 0.5f * Domain;
+                bool nearFace = Enumerable.Range(0, 3).Any(a => gap[a] - Mathf.Abs(at[i].Position[a]) < reach);
+                if (nearFace) Assert.That(Vector3.Dot(change, at[i].VelT0), Is.LessThan(1e-9f), $"particle {i}");
+                else Assert.That(change, Is.EqualTo(Vector3.zero), $"particle {i}");
+            }
+            Assert.That(Enumerable.Range(0, count).Max(i => ((Vector3)(held[i] - free[i])).magnitude), Is.GreaterThan(1e-5f));
+        }
+
+        [Test]
         public void LaterIterationsGoOnFromTheLast()
         {
             FluidSolverSettings settings = RobustStateRig.Robust(Domain, Spacing, FluidAxes.All);
@@ -51,17 +83,17 @@ namespace SphFluid.Tests
             {
                 Prepared(rig, out Vector4[] terms);
                 var pass = new MoveByConstraintsPass(rig.Shaders);
-                GpuTest.Run(cmd => pass.Record(cmd, rig.State, TimeStep, true));
-                Vector4[] first = GpuTest.Read<Vector4>(rig.State.Motion.Displacements, count),
-                    at = GpuTest.Read<Vector4>(rig.State.Buffers.NewPositions, count);
-                GpuTest.Run(cmd => pass.Record(cmd, rig.State, TimeStep, false));
-                Vector4[] second = GpuTest.Read<Vector4>(rig.State.Motion.Displacements, count),
-                    then = GpuTest.Read<Vector4>(rig.State.Buffers.NewPositions, count);
-                Vector4[] velocities = GpuTest.Read<Vector4>(rig.State.Buffers.Velocities, count);
+                GpuTest.Run(cmd => pass.Record(cmd, rig.State, TimeStep, 2, true));
+                Vector4[] Moved() => GpuTest.Read<Vector4>(rig.State.Motion.Displacements, count);
+                Vector4[] first = Moved(), at = GpuTest.Read<Vector4>(rig.State.Buffers.NewPositions, count);
+                GpuTest.Run(cmd => pass.Record(cmd, rig.State, TimeStep, 2, false));
+                Vector4[] second = Moved(), then = GpuTest.Read<Vector4>(rig.State.Buffers.NewPositions, count);
+                GpuTest.Run(cmd => pass.Record(cmd, rig.State, TimeStep, 2, false));
+                Vector4[] third = Moved();
                 for (int i = 0; i < count; i++)
                 {
-                    Vector3 step = first[i] - TimeStep * velocities[i];
-                    Assert.That(((Vector3)(second[i] - first[i]) - step).magnitude, Is.LessThan(1e-6f), "the same terms move as far again");
+                    Assert.That((third[i] - second[i] - (second[i] - first[i])).magnitude, Is.LessThan(1e-6f),
+                        "the same terms move as far again");
                     Assert.That(then[i].w, Is.EqualTo(at[i].w + terms[i].w).Within(1e-9));
                 }
             }
@@ -76,7 +108,7 @@ namespace SphFluid.Tests
             {
                 FluidParticle[] particles = Prepared(rig, out _, 1f);
                 var pass = new MoveByConstraintsPass(rig.Shaders);
-                GpuTest.Run(cmd => pass.Record(cmd, rig.State, TimeStep, true));
+                GpuTest.Run(cmd => pass.Record(cmd, rig.State, TimeStep, 2, true));
                 Vector4[] places = GpuTest.Read<Vector4>(rig.State.Buffers.NewPositions, count),
                     moved = GpuTest.Read<Vector4>(rig.State.Motion.Displacements, count);
                 Vector4[] starts = GpuTest.Read<Vector4>(rig.State.Motion.Starts, count);
@@ -105,12 +137,36 @@ namespace SphFluid.Tests
                 rig.SetTerms(new Vector2[count]);
                 var starts = particles.Select(p => RobustStateRig.WithW(p.Position - 0.01f * Vector3.one, 0f)).ToArray();
                 rig.State.Motion.Starts.SetData(starts);
+                rig.State.Buffers.Velocities
+                    .SetData(particles.Select(p => RobustStateRig.WithW(Vector3.right, RobustStateRig.FromBits(p.Id))).ToArray());
                 var pass = new MoveByConstraintsPass(rig.Shaders);
-                GpuTest.Run(cmd => pass.Record(cmd, rig.State, TimeStep, true));
+                GpuTest.Run(cmd => pass.Record(cmd, rig.State, TimeStep, 2, true));
                 foreach (Vector4 displacement in GpuTest.Read<Vector4>(rig.State.Motion.Displacements, count))
                 {
-                    Assert.That(((Vector3)displacement - 0.01f * Vector3.one).magnitude, Is.LessThan(1e-6f));
+                    Assert.That(((Vector3)displacement - 0.01f * Vector3.one).magnitude, Is.LessThan(1e-3f * Spacing));
                 }
+            }
+        }
+
+        [Test]
+        public void LongStepsBoundTheViscosity()
+        {
+            FluidSolverSettings settings = RobustStateRig.Robust(Domain, Spacing);
+            settings.Viscosity = 50f * settings.RestDensity;
+            double acting = RobustRules.ActingViscosity(settings, TimeStep);
+            Assert.That(acting, Is.LessThan(settings.Viscosity));
+            Assert.That(RobustRules.ActingViscosity(settings, 0.5 * TimeStep), Is.EqualTo(2.0 * acting).Within(1e-6).Percent);
+            const int count = 257;
+            using (var rig = new RobustStateRig(settings, count))
+            {
+                FluidParticle[] particles = Prepared(rig, out _);
+                rig.SetTerms(new Vector2[count]);
+                var pass = new MoveByConstraintsPass(rig.Shaders);
+                GpuTest.Run(cmd => pass.Record(cmd, rig.State, TimeStep, 2, true));
+                double before = particles.Sum(p => Double3.Dot(p.VelT0, p.VelT0)),
+                    after = GpuTest.Read<Vector4>(rig.State.Motion.Displacements, count)
+                    .Sum(u => Double3.Dot((Vector3)u, (Vector3)u) / (TimeStep * (double)TimeStep));
+                Assert.That(after, Is.LessThan(before), "viscosity takes energy, however large it is");
             }
         }
 
@@ -131,6 +187,23 @@ namespace SphFluid.Tests
             var pass = new ConstrainDensityPass(rig.Shaders);
             GpuTest.Run(cmd => pass.Record(cmd, rig.State, RobustRules.Compliance(rig.State.Settings, TimeStep, TimeStep, 1)));
             return particles;
+        }
+
+        private static Double3 Dragged(FluidParticle[] particles, int i, FluidSolverSettings settings)
+        {
+            float sound = (float)Math.Min(settings.SoundSpeed, RobustRules.EffectiveSoundSpeed(settings, TimeStep, 2));
+            double factor = 2.0 * RobustRules.ActingViscosity(settings, TimeStep) / (settings.RestDensity * (double)settings.RestDensity) *
+                settings.ParticleMass / StandardReference.Response(settings);
+            var sum = new Double3();
+            for (int j = 0; j < particles.Length; j++)
+            {
+                Double3 d = ThesisReference.Separation(particles[i], particles[j], settings.PeriodLength),
+                    relative = particles[i].VelT0 - particles[j].VelT0;
+                if (j == i || d.Length >= settings.SupportRadius) continue;
+                sum += factor * StandardReference.Slope(d.Length, settings.SupportRadius) / d.Length * relative;
+                sum += StandardReference.Parting(d, relative, settings.WithSoundSpeed(sound));
+            }
+            return sum;
         }
 
         private static Double3 Moved(FluidParticle[] particles, Vector4[] terms, int i, FluidSolverSettings settings)
