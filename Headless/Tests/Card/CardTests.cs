@@ -37,7 +37,7 @@ public sealed partial class CardTests
     {
         const double Dispatch = 0.04;
         PlayerProcess run = Run(
-            [("CARD_MEMORY_MIB", "400"), ("CARD_DISPATCH_NS", "40000"), ("CARD_IDLE_NS", "5000000")],
+            [("CARD_MEMORY_MIB", "260"), ("CARD_DISPATCH_NS", "40000"), ("CARD_IDLE_NS", "5000000")],
             "exec", "--executeMethod", "SphFluid.Validation.CommandLine.Bench", "--", "--table", "solver", "--out", folder);
         Assert.That(run.ExitCode, Is.Zero, run.Output + run.Errors);
         string[][] rows = [.. File.ReadAllLines(Path.Combine(folder, "solver.csv")).Select(line => line.Split(','))];

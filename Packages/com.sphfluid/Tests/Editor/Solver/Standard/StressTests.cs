@@ -85,7 +85,7 @@ namespace SphFluid.Tests
         public void MoreCellsThanTheScanHolds()
         {
             FluidSolverSettings settings = Settings();
-            settings.DomainSize = new Vector3(50f, 50f, 50f);
+            settings.DomainSize = new Vector3(80f, 80f, 80f); // 0.36 billion cells
             var error = Assert.Throws<System.ArgumentException>(() => new FluidSolver(settings, shaders, Block()));
             Assert.That(error.Message, Does.Contain("cells").And.Contain("Use a smaller domain or a larger particle spacing"));
         }
