@@ -31,7 +31,8 @@ namespace SphFluid
         public void Record(CommandBuffer cmd, RobustState state, float timeStep, int iterations, bool isFirst)
         {
             FluidSolverSettings settings = state.Settings;
-            double slope = RobustBindings.Slope(settings), viscosity = RobustRules.ActingViscosity(settings, timeStep) / settings.RestDensity;
+            double slope = RobustBindings.Slope(settings),
+                viscosity = RobustRules.ActingViscosity(settings, timeStep) / settings.RestDensity;
             float sound = (float)Math.Min(settings.SoundSpeed, RobustRules.EffectiveSoundSpeed(settings, timeStep, iterations));
             using (Sample(cmd))
             {

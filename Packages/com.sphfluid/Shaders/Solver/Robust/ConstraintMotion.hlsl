@@ -4,8 +4,8 @@
 // The motion of a particle by what an iteration changed of the multipliers:
 //   dx_i = sum_j (dlambda_i + dlambda_j) (m / (rho0 M)) grad W_ij + dlambda_i grad L_i / M,
 // summed up as a displacement of its own from where the substep began: v is that over dt, and equal and opposite changes stay so in float.
-// No particle is brought nearer to a wall than the shell, or than it was predicted. A kernel that defines DRAGS adds, in the first motion of
-// a substep, dt^2 times what acts on the predicted velocities: laminar viscosity (Morris et al. 1997), the parting of close pairs and
+// No particle is brought nearer to a wall than the shell, or than it was predicted. A kernel that defines DRAGS adds, in the first motion
+// of a substep, dt^2 times what acts on the predicted velocities: laminar viscosity (Morris et al. 1997), the parting of close pairs and
 // friction of walls. The iterations behind it have the last word: what parted pairs that no longer approach would add energy. A kernel
 // that includes this file has the keywords FLUID_PERIODIC and FLUID_MESH_WALLS, and includes FluidCounters.hlsl before it.
 #include "../Cells/Wendland.hlsl"

@@ -34,7 +34,7 @@ namespace SphFluid.Tests
                 });
 
                 Assert.That((rig.State.Capacity, rig.State.ParticleCount), Is.EqualTo((3 * count, count)));
-                Assert.That((buffers.NewPositions.Count, buffers.Positions.Count), Is.EqualTo((3 * count, 3 * count + 3)));
+                Assert.That((buffers.NewPositions.Count, buffers.Positions.Count), Is.EqualTo((3 * count + 3, 3 * count + 3)));
                 Assert.That(GpuTest.Read<Vector4>(buffers.NewPositions, count), Is.EqualTo(positions));
                 Assert.That(GpuTest.Read<Vector4>(buffers.NewVelocities, count), Is.EqualTo(velocities));
                 Assert.That(GpuTest.Read<uint>(buffers.CellTable, table.Length), Is.EqualTo(table));
