@@ -48,8 +48,10 @@ public sealed partial class CardTests
             string text = string.Join(',', row);
             Assert.That(Number(row, "particles"), Is.EqualTo(16384), text);
             double modelled = Dispatch * Number(row, "dispatches");
+            // Samples of Robust differ by a dispatch or two: one begins with lists that serve on, another sorts.
+            double slack = row.Contains("robust") ? 2 * Dispatch : 0.01 * modelled;
             foreach (string time in new[] { "gpu_ms_min", "gpu_ms_median", "gpu_ms_max", "gpu_ms_stamped" })
-                Assert.That(Number(row, time), Is.EqualTo(modelled).Within(1).Percent, $"{time}: {text}");
+                Assert.That(Number(row, time), Is.EqualTo(modelled).Within(slack), $"{time}: {text}");
         }
 
         Assert.That(run.Output + run.Errors, Does.Match(@"left out for want of memory: 65,536 \(.*262,144 \(.*1,048,576 \(.*4,194,304 \(.*Imitated card has"));
