@@ -76,10 +76,14 @@ namespace SphFluid.Tests
                 // 10 sorts, or one where its levels are fused, and the 8 other blocks of the thesis; the Standard method's never depend on
                 // the size.
                 var dispatches = new Dictionary<string, double> { { "thesis_27_fused", 9 }, { "standard", 5 }, { "standard_search", 5 },
-                    { "standard_2.25", 5 }, { "standard_unordered", 4 }, { "standard_mesh", 8 }, { "robust", 11 }, { "robust_2.25", 11 } };
+                    { "standard_2.25", 5 }, { "standard_unordered", 4 }, { "standard_mesh", 8 }, { "robust", 12 }, { "robust_2.25", 12 } };
                 string config = Cell(line, "config");
                 double alone = dispatches.TryGetValue(config.Replace("_at_once", ""), out double own) ? own : 18;
-                if (config.EndsWith("_at_once")) Assert.That(Number(line, "dispatches"), Is.InRange(2.0, alone), text);
+                // A step of Robust sorts or not, by how long its lists serve.
+                if (config.EndsWith("_at_once") || config.StartsWith("robust"))
+                {
+                    Assert.That(Number(line, "dispatches"), Is.InRange(2.0, alone), text);
+                }
                 else Assert.That(Number(line, "dispatches"), Is.EqualTo(alone), text);
                 Assert.That(Number(line, "candidates_per_neighbour"), Is.GreaterThan(1.0), text);
                 Assert.That(Number(line, "blocks_over_step"), Is.InRange(0.01, 1.1), text);
