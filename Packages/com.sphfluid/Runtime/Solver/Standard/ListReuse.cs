@@ -11,13 +11,13 @@ namespace SphFluid
     internal static class ListReuse
     {
         /// <summary>Most steps: more save little.</summary>
-        public const int MostSteps = 16;
+        public const int MostSteps = 8;
 
         // Of a liquid with forces of its own, which follow each particle at the surface or are made with the lists.
         private const int MostStepsWithForces = 8;
 
         // Over R: what two bodies may close between the first step that uses a list and the last, and what a moving triangle may go.
-        private const float MostClosing = 1.2f;
+        private const float MostClosing = 0.6f;
         private const float MostClosingWithForces = 0.6f;
         private const float MostBodyMotion = 0.3f;
 
