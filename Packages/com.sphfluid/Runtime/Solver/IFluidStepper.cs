@@ -9,6 +9,9 @@ namespace SphFluid
         /// <summary>What the passes work on.</summary>
         FluidState State { get; }
 
+        /// <summary>Times that an order of the particles was recorded since the start.</summary>
+        long SetupCount { get; }
+
         /// <summary>Records the taking over of particles that were uploaded to <see cref="PublishedBuffers.Particles"/>.</summary>
         /// <param name="cmd">Command buffer to record into.</param>
         void RecordLoad(CommandBuffer cmd);

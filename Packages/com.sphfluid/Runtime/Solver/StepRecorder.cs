@@ -39,7 +39,7 @@ namespace SphFluid
         public double SimulatedTime { get; private set; }
 
         /// <summary>Neighbour setups recorded since the start.</summary>
-        public long SetupCount { get; private set; }
+        public long SetupCount => stepper.SetupCount;
 
         /// <summary>Length of the last recorded step [s]; 0 before the first.</summary>
         public float PreviousStep { get; private set; }
@@ -145,7 +145,6 @@ namespace SphFluid
             state.WallForces?.RecordStep(cmd, state, step, SimulatedTime + timeStep);
             stepper.RecordMotion(cmd, step);
             if (!keeps) Exchange?.RecordBirths(cmd);
-            SetupCount += keeps ? 0 : 1;
             PreviousStep = timeStep;
             neighboursFresh = false;
             StepCount++;

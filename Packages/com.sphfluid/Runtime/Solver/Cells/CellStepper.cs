@@ -48,6 +48,9 @@ namespace SphFluid
 
         FluidState IFluidStepper.State => Cells;
 
+        /// <inheritdoc/>
+        public long SetupCount { get; private set; }
+
         /// <summary>What the passes work on.</summary>
         protected abstract CellState Cells { get; }
 
@@ -121,6 +124,7 @@ namespace SphFluid
             scanCells.Record(cmd, Cells);
             scatterParticles.Record(cmd, Cells);
             Order = ParticleOrder.Sorted;
+            SetupCount++;
         }
 
         /// <summary>Proves the motion of a step free of triangles, and changes what is not.</summary>

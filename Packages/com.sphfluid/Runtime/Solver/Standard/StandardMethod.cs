@@ -84,8 +84,9 @@ namespace SphFluid
         public override FrameWork WorkOf(in FluidSolverSettings settings, double frameTime, double speed, double stepFraction)
         {
             double step = Advise(settings, speed).Step(stepFraction);
-            int steps = FrameWork.StepsOf(frameTime, step), perSort = ListReuse.Steps(settings, step, speed);
             StandardSettings own = settings.Own<StandardSettings>();
+            double after = own.NeighbourList ? ListReuse.StepsAfter(settings, step, speed) : 0.0;
+            int steps = FrameWork.StepsOf(frameTime, step), perSort = 1 + (int)Math.Min(own.StepsPerSort - 1, after);
             double solution = own.ImplicitViscosity ? IterationShare * ImplicitViscosity.Iterations(settings, step) : 0.0;
             double walks = 2.0 + solution + IterationShare * StandardForces.Acting(own).Sum(force => force.Walks);
             return new FrameWork(steps, walks, Math.Ceiling(steps / (double)perSort));

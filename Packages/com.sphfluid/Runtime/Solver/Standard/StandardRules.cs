@@ -25,7 +25,7 @@ namespace SphFluid
 
         public static FluidSolverSettings Derive(in FluidRuleInput input)
         {
-            var own = new StandardSettings { StableOrder = true, NeighbourList = true, StepsPerSort = ListReuse.MostSteps };
+            var own = new StandardSettings { StableOrder = true, NeighbourList = true, StepsPerSort = 8 };
             foreach (ParticleForce force in StandardForces.All) force.Derive(input, ref own);
             FluidSolverSettings settings = CellRules.Derive(
                 input, ViscosityShare, out double speed, out double sound, out double kinematic,

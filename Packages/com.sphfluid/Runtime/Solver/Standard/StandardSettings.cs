@@ -16,7 +16,7 @@ namespace SphFluid
         public bool StableOrder;
 
         /// <summary>
-        /// True: the density pass lists each particle's neighbours for the motion pass, for some 290 bytes a particle at κ = 2.25; a device
+        /// True: the density pass lists each particle's neighbours for the motion pass, for some 150 bytes a particle at κ = 2.25; a device
         /// whose largest buffer is too small for that does without. False: both passes search.
         /// </summary>
         public bool NeighbourList;

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using UnityEngine;
 using UnityEngine.Rendering;
@@ -49,7 +50,8 @@ namespace SphFluid
         }
 
         /// <inheritdoc/>
-        public override int StepsPerSetup(int steps, float timeStep, float speed) => ListReuse.Steps(state, steps, timeStep, speed);
+        public override int StepsPerSetup(int steps, float timeStep, float speed) =>
+            1 + (int)Math.Min(state.Own.StepsPerSort - 1, ListReuse.StepsAfter(state, steps, timeStep, speed));
 
         /// <inheritdoc/>
         public override void PlanSteps(int steps, float timeStep, float speed, float longest) => listTime = (steps - 1) * timeStep;

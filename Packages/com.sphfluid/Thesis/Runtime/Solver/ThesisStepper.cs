@@ -46,6 +46,9 @@ namespace SphFluid
         FluidState IFluidStepper.State => state;
 
         /// <inheritdoc/>
+        public long SetupCount { get; private set; }
+
+        /// <inheritdoc/>
         public void RecordLoad(CommandBuffer cmd)
         {
         }
@@ -85,6 +88,7 @@ namespace SphFluid
             setGridIndices.Record(cmd, state);
             sortParticles.Record(cmd, state);
             calculateDensity.Record(cmd, state);
+            SetupCount++;
         }
 
         /// <inheritdoc/>
