@@ -1,3 +1,4 @@
+using System.Globalization;
 using System.Text.Json;
 using Headless.Tests.Fuzz;
 using NUnit.Framework;
@@ -37,12 +38,33 @@ public sealed class SamplePlayTests
         PlayerProcess run = PlayerProcess.Run([
             "play", "--project", FuzzProject.Repository, "--assemblies", Path.Combine(FuzzProject.Repository, "Build/ScriptAssemblies"),
             "--executeMethod", "SphFluid.Validation.CommandLine.Play", "--scene", $"Packages/com.sphfluid/Samples~/{sample}/{sample}.unity", "--size", "64x36", "--fps", "30",
-            "--seconds", seconds.ToString(System.Globalization.CultureInfo.InvariantCulture), "--out", output, .. twice, .. few]);
+            "--seconds", seconds.ToString(CultureInfo.InvariantCulture), "--out", output, .. twice, .. few]);
         if (run.ExitCode != 0) Assert.Fail(run.Output + run.Errors);
         Assert.That(run.Output + run.Errors, Does.Not.Contain("GarbageCollector disposing"), "a buffer that nobody released");
         using JsonDocument summary = JsonDocument.Parse(File.ReadAllText(Path.Combine(output, "summary.json")));
         Assert.That(summary.RootElement.GetProperty("errors").GetInt32(), Is.Zero);
         Assert.That(Particles(summary.RootElement), Is.GreaterThan(leastParticles));
+    }
+
+    // A block of 16,380 particles falls on a floor with boxes. Speeds that lists of neighbours go by are four frames old.
+    [Test]
+    public void DamBreakGainsNoEnergy()
+    {
+        string output = Path.Combine(folder, "energy"), record = Path.Combine(folder, "energy.csv");
+        PlayerProcess run = PlayerProcess.Run([
+            "play", "--project", FuzzProject.Repository, "--assemblies", Path.Combine(FuzzProject.Repository, "Build/ScriptAssemblies"),
+            "--executeMethod", "SphFluid.Validation.CommandLine.Play", "--scene", "Packages/com.sphfluid/Samples~/DamBreak/DamBreak.unity",
+            "--no-images", "--fps", "24", "--seconds", "0.42", "--out", output, "--", "--record", record]);
+        if (run.ExitCode != 0) Assert.Fail(run.Output + run.Errors);
+        using JsonDocument summary = JsonDocument.Parse(File.ReadAllText(Path.Combine(output, "summary.json")));
+        double mass = 1000.0 * Particles(summary.RootElement) * Math.Pow(summary.RootElement.GetProperty("spacing_m").GetDouble(), 3.0);
+        string[][] rows = [.. File.ReadAllLines(record).Select(line => line.Split(','))];
+        double Number(string[] row, string name) => double.Parse(row[Array.IndexOf(rows[0], name)], CultureInfo.InvariantCulture);
+        double Energy(string[] row) => Number(row, "kinetic_energy_j") / mass + 9.81 * Number(row, "centre_y_m");
+        double[] gained = [.. rows.Skip(1).Select(row => Energy(row) - Energy(rows[1]))];
+        Assert.That(Number(rows[^1], "kinetic_energy_j") / mass, Is.GreaterThan(1.0), "it moves");
+        Assert.That(gained.Max(), Is.LessThan(0.01), "J/kg");
+        Assert.That(gained[^1], Is.LessThan(-0.3), "what hit the floor has lost some");
     }
 
     // Of all liquids: a scene with several has a list of them.

@@ -15,9 +15,6 @@ namespace SphFluid
         // s: the margin holds for frames so long. In a longer one the liquid falls on unseen.
         private const double SeenFrame = 0.06;
 
-        // s: and for speeds that are so old. By then bodies of liquid that fall are faster, up to the speed by rule.
-        private const double SeenAge = 0.1;
-
         // s: no frame of half of it or more is without a step, however soft the liquid.
         private const double MostStep = 1.0 / 30.0;
 
@@ -135,9 +132,9 @@ namespace SphFluid
             double gravity = solver.Settings.Gravity.magnitude, gain = gravity * Math.Max(0.0, deltaTime - SeenFrame);
             if (speeds != null)
             {
-                double flow = SpeedMargin * speeds.Sample.Bulk, older = (SpeedReadback.Delay + 1) * deltaTime - SeenAge;
-                solver.FlowSpeed = (float)Math.Max(flow,
-                    Math.Min(flow + gravity * Math.Max(0.0, older), reference?.Most ?? solver.Settings.MaxSpeed));
+                // What falls has grown faster since, up to the speed by rule.
+                double flow = SpeedMargin * speeds.Sample.Bulk, fallen = gravity * (SpeedReadback.Delay + 1) * deltaTime;
+                solver.FlowSpeed = (float)Math.Max(flow, Math.Min(flow + fallen, reference?.Most ?? solver.Settings.MaxSpeed));
                 solver.PeakSpeed = (float)Math.Max(SpeedMargin * speeds.Sample.Fastest + gain,
                     deltaTime > 0.0 ? bodyMotion / deltaTime : 0.0);
             }

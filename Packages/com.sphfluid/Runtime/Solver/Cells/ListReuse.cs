@@ -11,7 +11,7 @@ namespace SphFluid
     internal static class ListReuse
     {
         // Over R: what two bodies may close between the first step that uses a list and the last, and what a moving triangle may go.
-        private const float MostClosing = 0.6f;
+        private const float MostClosing = 1.2f;
         private const float MostBodyMotion = 0.3f;
 
         /// <summary>Steps that may go on with lists after the first that uses them, among walls at rest; infinite at rest.</summary>
@@ -19,7 +19,7 @@ namespace SphFluid
         /// <param name="timeStep">Length of a step [s].</param>
         /// <param name="speed">Speed at which bodies of liquid move [m/s].</param>
         public static double StepsAfter(in FluidSolverSettings settings, double timeStep, double speed) =>
-            Math.Floor(MostClosing * settings.SupportRadius / (2.0 * speed * timeStep));
+            MostClosing * settings.SupportRadius / (2.0 * speed * timeStep);
 
         /// <summary>Steps that may go on with lists after the first that uses them; infinite at rest, 0 where there are no lists.</summary>
         /// <param name="state">The liquid.</param>
@@ -30,8 +30,7 @@ namespace SphFluid
         {
             if (!state.MayListNeighbours) return 0.0;
             double motion = state.HasBodies && state.Bodies.IsUnderWay ? state.Bodies.LongestMotion / steps : 0.0;
-            double byBodies = Math.Floor(MostBodyMotion * state.Settings.SupportRadius / motion);
-            return Math.Min(StepsAfter(state.Settings, timeStep, speed), byBodies);
+            return Math.Min(StepsAfter(state.Settings, timeStep, speed), MostBodyMotion * state.Settings.SupportRadius / motion);
         }
     }
 }

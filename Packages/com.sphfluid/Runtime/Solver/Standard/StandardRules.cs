@@ -1,4 +1,5 @@
 using System;
+using System.Linq;
 using UnityEngine;
 
 namespace SphFluid
@@ -20,12 +21,14 @@ namespace SphFluid
         // Of the profile's Viscosity Ratio: one kernel for density and force needs a tenth of what the thesis's two need.
         private const double ViscosityShare = 0.1;
 
+        private const double FresherLists = 0.5;
+
         // τ c/R, and the rate at which density grows over ρ0 c/R.
         private const float ImpactTime = 0.4f, ImpactRate = 0.07f;
 
         public static FluidSolverSettings Derive(in FluidRuleInput input)
         {
-            var own = new StandardSettings { StableOrder = true, NeighbourList = true, StepsPerSort = 8 };
+            var own = new StandardSettings { StableOrder = true, NeighbourList = true, StepsPerSort = 16 };
             foreach (ParticleForce force in StandardForces.All) force.Derive(input, ref own);
             FluidSolverSettings settings = CellRules.Derive(
                 input, ViscosityShare, out double speed, out double sound, out double kinematic,
@@ -63,6 +66,18 @@ namespace SphFluid
             return new TimeStepAdvice(
                 AcousticBorder * radius / (sound / moment + speed), TimeStepAdvice.SpeedStep(spacing, speed), viscous, border,
                 double.PositiveInfinity, sound, speed, kinematic, isImplicit, capillary: forceStep);
+        }
+
+        /// <summary>
+        /// Steps that one sort serves, 1 or more. Forces of their own have fresher lists: tension moves each particle of the surface by
+        /// itself, and a correction of the gradient is made with the list.
+        /// </summary>
+        /// <param name="own">The liquid's constants.</param>
+        /// <param name="after">Steps that lists serve after the first, as <see cref="ListReuse"/> has it.</param>
+        public static int StepsPerSort(in StandardSettings own, double after)
+        {
+            double share = StandardForces.Acting(own).Any() ? FresherLists : 1.0;
+            return 1 + (int)Math.Max(0.0, Math.Min(share * own.StepsPerSort - 1.0, share * after));
         }
 
         /// <summary>What StandardDensity.compute needs of the last step: τ/dt, and by how much density may grow in it without τ.</summary>

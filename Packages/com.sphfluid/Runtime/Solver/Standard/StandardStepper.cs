@@ -1,4 +1,3 @@
-using System;
 using System.Collections.Generic;
 using UnityEngine;
 using UnityEngine.Rendering;
@@ -51,7 +50,7 @@ namespace SphFluid
 
         /// <inheritdoc/>
         public override int StepsPerSetup(int steps, float timeStep, float speed) =>
-            1 + (int)Math.Min(state.Own.StepsPerSort - 1, ListReuse.StepsAfter(state, steps, timeStep, speed));
+            StandardRules.StepsPerSort(state.Own, ListReuse.StepsAfter(state, steps, timeStep, speed));
 
         /// <inheritdoc/>
         public override void PlanSteps(int steps, float timeStep, float speed, float longest) => listTime = (steps - 1) * timeStep;

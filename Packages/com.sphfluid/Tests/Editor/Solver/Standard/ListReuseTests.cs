@@ -116,12 +116,12 @@ namespace SphFluid.Tests
             }
         }
 
-        // Two slabs a little farther apart than R that close by 0.8 R in the steps of one list: seen only at the next sort they would go on
-        // as if they were alone.
-        [Test]
-        public void BodiesThatMeetBetweenTwoSortsAreSeenAhead()
+        // Two slabs a little farther apart than R that close by 0.8 or 1.2 R in the steps of one list: seen only at the next sort they
+        // would go on as if they were alone.
+        [TestCase(8, 0.8f)]
+        [TestCase(16, 1.2f)]
+        public void BodiesThatMeetBetweenTwoSortsAreSeenAhead(int steps, float closing)
         {
-            const int steps = 8;
             FluidSolverSettings Meeting(int served)
             {
                 FluidSolverSettings settings = Water(served);
@@ -129,7 +129,7 @@ namespace SphFluid.Tests
                 return settings;
             }
             FluidSolverSettings water = Meeting(steps);
-            float radius = water.SupportRadius, speed = 0.4f * radius / ((steps - 1) * water.TimeStep);
+            float radius = water.SupportRadius, speed = 0.5f * closing * radius / ((steps - 1) * water.TimeStep);
             FluidParticle[] slab = ParticleSets.Lattice(new Vector3Int(2, 6, 6), Spacing, 0f, 1);
             float half = slab.Max(p => p.Position.x) + 0.51f * radius;
             FluidParticle[] start = slab.Select(p => new FluidParticle(p.Position - half * Vector3.right, speed * Vector3.right, p.Id))
@@ -156,19 +156,33 @@ namespace SphFluid.Tests
         }
 
         [TestCase(0.0, double.PositiveInfinity)]
-        [TestCase(0.05, 6.0)] // two at R/20 a step close a tenth
-        [TestCase(0.16, 1.0)]
-        [TestCase(0.31, 0.0)]
+        [TestCase(0.1, 6.0)] // two at R/10 a step close a fifth
+        [TestCase(1.2, 0.5)]
         public void ListsServeUntilTwoBodiesMayHaveClosed(double radiiAStep, double expected)
         {
             FluidSolverSettings settings = Water(8);
             const double step = 1.0 / 240.0;
             double speed = radiiAStep * settings.SupportRadius / step;
-            Assert.That(ListReuse.StepsAfter(settings, step, 0.999 * speed), Is.EqualTo(expected));
+            Assert.That(ListReuse.StepsAfter(settings, step, speed), Is.EqualTo(expected).Within(1e-5));
             using (var rig = new StandardStateRig(settings, 64))
             {
-                Assert.That(ListReuse.StepsAfter(rig.State, 10, step, 0.999 * speed), Is.EqualTo(expected));
+                Assert.That(ListReuse.StepsAfter(rig.State, 10, step, speed), Is.EqualTo(expected).Within(1e-5));
             }
+        }
+
+        [TestCase(0.07f, false, double.PositiveInfinity, 8)]
+        [TestCase(0f, true, double.PositiveInfinity, 8)]
+        [TestCase(0f, true, 6.2, 4)]
+        [TestCase(0f, false, double.PositiveInfinity, 16)]
+        [TestCase(0f, false, 6.2, 7)]
+        [TestCase(0f, false, 0.0, 1)]
+        public void ForcesOfTheirOwnHaveFresherLists(float tension, bool correction, double after, int expected)
+        {
+            FluidSolverSettings settings = Water(16).WithOwn((ref StandardSettings own) =>
+                (own.SurfaceTension, own.GradientCorrection) = (tension, correction));
+            Assert.That(StandardRules.StepsPerSort(settings.Own<StandardSettings>(), after), Is.EqualTo(expected));
+            settings = settings.WithOwn((ref StandardSettings own) => own.StepsPerSort = 1);
+            Assert.That(StandardRules.StepsPerSort(settings.Own<StandardSettings>(), after), Is.EqualTo(1));
         }
 
         // A list that is emptied behind the solver's back tells who reads it.
