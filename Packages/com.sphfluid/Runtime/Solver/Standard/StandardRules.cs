@@ -21,7 +21,8 @@ namespace SphFluid
         // Of the profile's Viscosity Ratio: one kernel for density and force needs a tenth of what the thesis's two need.
         private const double ViscosityShare = 0.1;
 
-        private const double FresherLists = 0.5;
+        private const double FreshShare = 0.5;
+        private const int MostFreshSteps = 8;
 
         // τ c/R, and the rate at which density grows over ρ0 c/R.
         private const float ImpactTime = 0.4f, ImpactRate = 0.07f;
@@ -69,15 +70,16 @@ namespace SphFluid
         }
 
         /// <summary>
-        /// Steps that one sort serves, 1 or more. Forces of their own have fresher lists: tension moves each particle of the surface by
-        /// itself, and a correction of the gradient is made with the list.
+        /// Steps that one sort serves, 1 or more. Forces of their own have fresher lists: they move particles of the surface one by
+        /// one, or are made with the list.
         /// </summary>
         /// <param name="own">The liquid's constants.</param>
         /// <param name="after">Steps that lists serve after the first, as <see cref="ListReuse"/> has it.</param>
         public static int StepsPerSort(in StandardSettings own, double after)
         {
-            double share = StandardForces.Acting(own).Any() ? FresherLists : 1.0;
-            return 1 + (int)Math.Max(0.0, Math.Min(share * own.StepsPerSort - 1.0, share * after));
+            bool isFresh = StandardForces.Acting(own).Any();
+            int most = isFresh ? Math.Min(own.StepsPerSort, MostFreshSteps) : own.StepsPerSort;
+            return 1 + (int)Math.Min(most - 1, isFresh ? FreshShare * after : after);
         }
 
         /// <summary>What StandardDensity.compute needs of the last step: τ/dt, and by how much density may grow in it without τ.</summary>
