@@ -7,10 +7,8 @@ namespace SphFluid.Validation
     /// <summary>Commands that are recorded and submitted at once.</summary>
     internal static class GpuWork
     {
-        // One submission: bounded so that no driver takes it for a hang, in steps, and in particle-steps of which a slow card does as many
-        // in a tenth of a second.
+        // One submission, besides its work: a command buffer of so many is recorded before the GPU has anything to do.
         private const int StepsPerSubmission = 50;
-        private const int WorkPerSubmission = 1 << 22;
 
         /// <summary>Submits commands.</summary>
         /// <param name="name">Name in frame debuggers.</param>
@@ -30,7 +28,7 @@ namespace SphFluid.Validation
         /// <param name="steps">Number of steps.</param>
         public static void Step(string name, FluidSolver solver, long steps)
         {
-            int most = Math.Max(1, Math.Min(StepsPerSubmission, WorkPerSubmission / Math.Max(1, solver.ParticleCount)));
+            int most = Math.Max(1, Math.Min(StepsPerSubmission, FluidSolver.WorkPerSubmission / Math.Max(1, solver.ParticleCount)));
             for (; steps > 0; steps -= most)
             {
                 int now = (int)Math.Min(most, steps);

@@ -58,8 +58,21 @@ namespace SphFluid
         {
             Collect();
             if (steps == 0 || !IsSupported) return;
-            if (recorded.Count == Pending) recorded.Dequeue(); // whose time never came
+            while (recorded.Count >= Pending) recorded.Dequeue(); // whose time never came
             recorded.Enqueue(new Frame { Steps = steps, ParticleSteps = steps * particles });
+            cmd.BeginSample(marker);
+        }
+
+        /// <summary>Records the end of a part of a frame's steps that is submitted for itself.</summary>
+        /// <param name="cmd">Command buffer.</param>
+        public void EndPart(CommandBuffer cmd) => End(cmd, 1);
+
+        /// <summary>Records the beginning of the next part of the same frame's steps, which are counted with the first.</summary>
+        /// <param name="cmd">Command buffer.</param>
+        public void BeginPart(CommandBuffer cmd)
+        {
+            if (!IsSupported) return;
+            recorded.Enqueue(default);
             cmd.BeginSample(marker);
         }
 

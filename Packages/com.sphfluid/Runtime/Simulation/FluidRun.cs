@@ -333,11 +333,20 @@ namespace SphFluid
         {
             commands.Clear();
             Timer?.Begin(commands, steps, Solver.LiveCount);
-            Solver.RecordSteps(commands, steps, (float)pace.Clock.TimeStep);
+            Solver.RecordSteps(commands, steps, (float)pace.Clock.TimeStep, SubmitPart);
             Solver.RecordNeighbourSetup(commands);
             if (steps > 0) pace.Record(commands);
             Timer?.End(commands, steps);
             Graphics.ExecuteCommandBuffer(commands);
+        }
+
+        private void SubmitPart()
+        {
+            Timer?.EndPart(commands);
+            Graphics.ExecuteCommandBuffer(commands);
+            GL.Flush();
+            commands.Clear();
+            Timer?.BeginPart(commands);
         }
     }
 }

@@ -16,6 +16,11 @@ namespace SphFluid
         /// <summary>Most steps of one recording.</summary>
         public const int MostSteps = 100_000;
 
+        /// <summary>
+        /// Particle-steps of a submission: drivers take for hung what works for 2 s (Windows), and a slow card has done so many in a tenth.
+        /// </summary>
+        public const int WorkPerSubmission = 1 << 22;
+
         private readonly FluidMethod method;
         private readonly IFluidStepper stepper;
         private readonly FluidState state;
@@ -292,7 +297,15 @@ namespace SphFluid
         /// <param name="timeStep">Length of each [s], positive. Velocities live between the steps: the first kick after a change is
         /// the mean of both lengths.</param>
         /// <exception cref="ArgumentOutOfRangeException">An argument is out of range.</exception>
-        public void RecordSteps(CommandBuffer cmd, int steps, float timeStep)
+        public void RecordSteps(CommandBuffer cmd, int steps, float timeStep) => RecordSteps(cmd, steps, timeStep, null);
+
+        /// <summary>Records steps that go to the GPU in parts.</summary>
+        /// <param name="cmd">Command buffer to record into.</param>
+        /// <param name="steps">Number of steps.</param>
+        /// <param name="timeStep">Length of each [s].</param>
+        /// <param name="submit">Submits what is recorded so far, and empties the command buffer: after some <see cref="WorkPerSubmission"/>
+        /// particle-steps, if more steps follow; null: everything is one part.</param>
+        internal void RecordSteps(CommandBuffer cmd, int steps, float timeStep, Action submit)
         {
             ThrowIfDisposed();
             if (steps < 0 || steps > MostSteps)
@@ -305,7 +318,7 @@ namespace SphFluid
                 throw new ArgumentOutOfRangeException(nameof(timeStep), timeStep,
                     "The length of a step must be a positive number of seconds.");
             }
-            if (steps > 0) recorder.RecordSteps(cmd, steps, timeStep, FlowSpeed, PeakSpeed, LongestStep);
+            if (steps > 0) recorder.RecordSteps(cmd, steps, timeStep, FlowSpeed, PeakSpeed, LongestStep, submit);
         }
 
         /// <summary>

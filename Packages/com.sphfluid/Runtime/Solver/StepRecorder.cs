@@ -104,7 +104,9 @@ namespace SphFluid
         /// <param name="flowSpeed">Speed at which bodies of the liquid move [m/s].</param>
         /// <param name="peakSpeed">Speed of the fastest particle [m/s].</param>
         /// <param name="longestStep">The longest step of late [s].</param>
-        public void RecordSteps(CommandBuffer cmd, int steps, float timeStep, float flowSpeed, float peakSpeed, float longestStep)
+        /// <param name="submit">Submits a part of them; null: they are not parted.</param>
+        public void RecordSteps(
+            CommandBuffer cmd, int steps, float timeStep, float flowSpeed, float peakSpeed, float longestStep, Action submit = null)
         {
             counters.RecordReset(cmd);
             particles.Bound(Exchange);
@@ -112,11 +114,16 @@ namespace SphFluid
             var blocks = new StepBlocks(steps, stepper.StepsPerSetup(steps, timeStep, flowSpeed));
             stepper.PlanSteps(blocks.LongestBlock, timeStep, peakSpeed, Mathf.Max(timeStep, longestStep));
             state.WallForces?.Begin(state, steps, obstacles?.Found ?? Array.Empty<FluidObstacle>());
+            long work = 0;
             for (int i = 0; i < steps; i++)
             {
                 state.BeginBodyStep(i, steps, timeStep);
                 RecordSetup(cmd);
                 RecordStep(cmd, timeStep, !blocks.IsLast(i));
+                work += state.ParticleCount;
+                if (submit == null || work < FluidSolver.WorkPerSubmission || i + 1 == steps) continue;
+                submit();
+                work = 0;
             }
 
             state.EndBodySteps();

@@ -2,6 +2,7 @@ using System.Collections;
 using System.Collections.Generic;
 using NUnit.Framework;
 using UnityEngine;
+using UnityEngine.Rendering;
 using UnityEngine.TestTools;
 
 namespace SphFluid.Tests
@@ -80,6 +81,34 @@ namespace SphFluid.Tests
             simulation.EndTiming();
             Assert.That(simulation.Timer, Is.Null);
             yield return null;
+        }
+
+        [UnityTest]
+        public IEnumerator StepsOfAFrameInPartsCountOnce()
+        {
+            if (!StepTimer.IsSupported) Assert.Ignore("This device reports no GPU times.");
+            using (var timer = new StepTimer())
+            using (var cmd = new CommandBuffer())
+            {
+                const int steps = 8;
+                for (int frame = 0; frame < 20; frame++)
+                {
+                    cmd.Clear();
+                    timer.Begin(cmd, steps, 100);
+                    for (int part = 0; part < 2; part++)
+                    {
+                        timer.EndPart(cmd);
+                        Graphics.ExecuteCommandBuffer(cmd);
+                        cmd.Clear();
+                        timer.BeginPart(cmd);
+                    }
+                    timer.End(cmd, steps);
+                    Graphics.ExecuteCommandBuffer(cmd);
+                    yield return null;
+                }
+                Assert.That(timer.FrameCount, Is.InRange(5, 20));
+                Assert.That(timer.StepsAFrame * timer.FrameCount, Is.InRange(10.0 * steps, 20.0 * steps), "times may come for two frames at once");
+            }
         }
 
         private static FluidPreview PreviewOf(FluidSimulation simulation)

@@ -50,6 +50,25 @@ namespace SphFluid.Tests
             }
         }
 
+        // Nothing of it is done by the GPU.
+        [Test]
+        public void ManyStepsAreSubmittedInPartsOfBoundedWork()
+        {
+            const int count = 65536, steps = 150, aPart = FluidSolver.WorkPerSubmission / count;
+            FluidParticle[] particles = ParticleSets.Random(count, Domain, 0f, 1);
+            using (var solver = new FluidSolver(TestSettings.ByRule(Domain, 0.01f), shaders, particles))
+            using (var cmd = new CommandBuffer())
+            {
+                var ends = new System.Collections.Generic.List<long>();
+                solver.RecordSteps(cmd, steps, 1e-4f, () => ends.Add(solver.StepCount));
+                Assert.That(ends, Is.EqualTo(new[] { aPart, 2L * aPart }));
+                solver.RecordSteps(cmd, aPart, 1e-4f, () => ends.Add(solver.StepCount));
+                Assert.That(ends, Has.Count.EqualTo(2), "nothing follows it");
+                solver.RecordSteps(cmd, steps, 1e-4f);
+                Assert.That(solver.StepCount, Is.EqualTo(2 * steps + aPart));
+            }
+        }
+
         [Test]
         public void SetupForDrawingDoesNotChangeTheMotion()
         {
