@@ -107,7 +107,8 @@ namespace SphFluid.Tests
                     yield return null;
                 }
                 Assert.That(timer.FrameCount, Is.InRange(5, 20));
-                Assert.That(timer.StepsAFrame * timer.FrameCount, Is.InRange(10.0 * steps, 20.0 * steps), "times may come for two frames at once");
+                Assert.That(timer.StepsAFrame * timer.FrameCount, Is.InRange(10.0 * steps, 20.0 * steps),
+                    "times may come for two frames at once");
             }
         }
 

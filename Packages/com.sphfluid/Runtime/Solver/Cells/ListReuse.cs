@@ -10,27 +10,36 @@ namespace SphFluid
     /// </summary>
     internal static class ListReuse
     {
-        // Over R: what two bodies may close between the first step that uses a list and the last, and what a moving triangle may go.
-        private const float MostClosing = 1.2f;
-        private const float MostBodyMotion = 0.3f;
+        /// <summary>Over R: what two bodies may close between the first step that uses a list and the last.</summary>
+        public const double MostClosing = 1.2;
+
+        /// <summary>
+        /// The same where steps are long, or forces follow single particles: only the outermost particles of bodies look ahead.
+        /// </summary>
+        public const double CarefulClosing = 0.6;
+
+        private const double MostBodyMotion = 0.3; // of a triangle, over R
 
         /// <summary>Steps that may go on with lists after the first that uses them, among walls at rest; infinite at rest.</summary>
         /// <param name="settings">The liquid's constants.</param>
         /// <param name="timeStep">Length of a step [s].</param>
         /// <param name="speed">Speed at which bodies of liquid move [m/s].</param>
-        public static double StepsAfter(in FluidSolverSettings settings, double timeStep, double speed) =>
-            MostClosing * settings.SupportRadius / (2.0 * speed * timeStep);
+        /// <param name="closing">What two bodies may close, over R.</param>
+        public static double StepsAfter(in FluidSolverSettings settings, double timeStep, double speed, double closing) =>
+            Math.Floor(closing * settings.SupportRadius / (2.0 * speed * timeStep));
 
         /// <summary>Steps that may go on with lists after the first that uses them; infinite at rest, 0 where there are no lists.</summary>
         /// <param name="state">The liquid.</param>
         /// <param name="steps">Steps through which bodies go on their motion of the frame, 1 or more.</param>
         /// <param name="timeStep">Length of a step [s].</param>
         /// <param name="speed">Speed at which bodies of liquid move [m/s].</param>
-        public static double StepsAfter(CellState state, int steps, double timeStep, double speed)
+        /// <param name="closing">What two bodies may close, over R.</param>
+        public static double StepsAfter(CellState state, int steps, double timeStep, double speed, double closing)
         {
             if (!state.MayListNeighbours) return 0.0;
             double motion = state.HasBodies && state.Bodies.IsUnderWay ? state.Bodies.LongestMotion / steps : 0.0;
-            return Math.Min(StepsAfter(state.Settings, timeStep, speed), MostBodyMotion * state.Settings.SupportRadius / motion);
+            double byBodies = Math.Floor(MostBodyMotion * state.Settings.SupportRadius / motion);
+            return Math.Min(StepsAfter(state.Settings, timeStep, speed, closing), byBodies);
         }
     }
 }

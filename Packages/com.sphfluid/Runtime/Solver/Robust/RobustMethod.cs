@@ -80,7 +80,8 @@ namespace SphFluid
             int steps = FrameClock.StepsOf(frameTime, settings.Own<RobustSettings>().Substeps,
                 RobustRules.LongestFrame / settings.Own<RobustSettings>().Substeps);
             double step = frameTime / steps;
-            double kept = settings.Own<RobustSettings>().NeighbourList ? Math.Floor(ListReuse.StepsAfter(settings, step, speed)) : 0.0;
+            double kept = settings.Own<RobustSettings>().NeighbourList
+                ? ListReuse.StepsAfter(settings, step, speed, ListReuse.CarefulClosing) : 0.0;
             double sorts = Math.Ceiling(Math.Max(0.0, steps - kept) / (kept + 1.0));
             return new FrameWork(steps, 2.0 * RobustRules.IterationsFor(settings, step, speed), sorts + 1.0, 1.0);
         }

@@ -42,7 +42,7 @@ namespace SphFluid
         public bool StableOrder;
 
         /// <summary>
-        /// True: the first pass of a step lists each particle's neighbours for the others, for some 290 bytes a particle at κ = 2.25; a
+        /// True: the first pass of a step lists each particle's neighbours for the others, for some 150 bytes a particle at κ = 2.25; a
         /// device whose largest buffer is too small for that does without. False: all passes search.
         /// </summary>
         public bool NeighbourList;

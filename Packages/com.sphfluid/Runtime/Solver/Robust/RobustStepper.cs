@@ -53,7 +53,7 @@ namespace SphFluid
         /// <summary>All: steps sort for themselves when their lists no longer serve, and readers are sorted for behind the last.</summary>
         public override int StepsPerSetup(int steps, float timeStep, float speed)
         {
-            keepable = (int)Math.Min(steps, ListReuse.StepsAfter(state, steps, timeStep, speed));
+            keepable = (int)Math.Min(steps, ListReuse.StepsAfter(state, steps, timeStep, speed, ListReuse.CarefulClosing));
             return steps;
         }
 

@@ -85,7 +85,7 @@ namespace SphFluid
         {
             double step = Advise(settings, speed).Step(stepFraction);
             StandardSettings own = settings.Own<StandardSettings>();
-            double after = own.NeighbourList ? ListReuse.StepsAfter(settings, step, speed) : 0.0;
+            double after = own.NeighbourList ? ListReuse.StepsAfter(settings, step, speed, StandardRules.ListClosing(own)) : 0.0;
             int steps = FrameWork.StepsOf(frameTime, step), perSort = StandardRules.StepsPerSort(own, after);
             double solution = own.ImplicitViscosity ? IterationShare * ImplicitViscosity.Iterations(settings, step) : 0.0;
             double walks = 2.0 + solution + IterationShare * StandardForces.Acting(own).Sum(force => force.Walks);

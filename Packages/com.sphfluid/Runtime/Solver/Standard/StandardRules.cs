@@ -21,8 +21,8 @@ namespace SphFluid
         // Of the profile's Viscosity Ratio: one kernel for density and force needs a tenth of what the thesis's two need.
         private const double ViscosityShare = 0.1;
 
-        private const double FreshShare = 0.5;
-        private const int MostFreshSteps = 8;
+        // Steps of a list where forces act of their own, which move particles of the surface one by one or are made with the list.
+        private const int MostStepsWithForces = 8;
 
         // τ c/R, and the rate at which density grows over ρ0 c/R.
         private const float ImpactTime = 0.4f, ImpactRate = 0.07f;
@@ -69,18 +69,20 @@ namespace SphFluid
                 double.PositiveInfinity, sound, speed, kinematic, isImplicit, capillary: forceStep);
         }
 
-        /// <summary>
-        /// Steps that one sort serves, 1 or more. Forces of their own have fresher lists: they move particles of the surface one by
-        /// one, or are made with the list.
-        /// </summary>
+        /// <summary>What two bodies may close while a list serves, over R.</summary>
+        public static double ListClosing(in StandardSettings own) =>
+            HasForces(own) ? ListReuse.CarefulClosing : ListReuse.MostClosing;
+
+        /// <summary>Steps that one sort serves, 1 or more.</summary>
         /// <param name="own">The liquid's constants.</param>
         /// <param name="after">Steps that lists serve after the first, as <see cref="ListReuse"/> has it.</param>
         public static int StepsPerSort(in StandardSettings own, double after)
         {
-            bool isFresh = StandardForces.Acting(own).Any();
-            int most = isFresh ? Math.Min(own.StepsPerSort, MostFreshSteps) : own.StepsPerSort;
-            return 1 + (int)Math.Min(most - 1, isFresh ? FreshShare * after : after);
+            int most = HasForces(own) ? Math.Min(own.StepsPerSort, MostStepsWithForces) : own.StepsPerSort;
+            return 1 + (int)Math.Min(most - 1, after);
         }
+
+        private static bool HasForces(in StandardSettings own) => StandardForces.Acting(own).Any();
 
         /// <summary>What StandardDensity.compute needs of the last step: τ/dt, and by how much density may grow in it without τ.</summary>
         public static Vector2 Impact(in FluidSolverSettings settings, float step)

@@ -50,7 +50,8 @@ namespace SphFluid
 
         /// <inheritdoc/>
         public override int StepsPerSetup(int steps, float timeStep, float speed) =>
-            StandardRules.StepsPerSort(state.Own, ListReuse.StepsAfter(state, steps, timeStep, speed));
+            StandardRules.StepsPerSort(
+                state.Own, ListReuse.StepsAfter(state, steps, timeStep, speed, StandardRules.ListClosing(state.Own)));
 
         /// <inheritdoc/>
         public override void PlanSteps(int steps, float timeStep, float speed, float longest) => listTime = (steps - 1) * timeStep;

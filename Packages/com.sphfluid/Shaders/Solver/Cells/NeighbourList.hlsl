@@ -123,6 +123,20 @@ uint NextListed(inout ListRun run, out bool sees)
     return run.Last;
 }
 
+// Whether the list of another has a particle, or that has none either: who has no list takes others by theirs, else pairs that come near
+// after the lists were made would push from one side.
+bool IsListedBy(uint other, uint id)
+{
+    const uint count = LISTS[_NeighbourCountsBegin + other];
+    bool isListed = count > _ListLength;
+    FOR_EACH_RUN(other, isListed ? 0u : count, run)
+    {
+        bool sees;
+        isListed = NextListed(run, sees) == id || isListed;
+    }
+    return isListed;
+}
+
 // The squared distance of a neighbour, or one beyond any R: who is not seen is neither felt nor counted.
 float SeenSquared(bool sees, float distanceSquared)
 {

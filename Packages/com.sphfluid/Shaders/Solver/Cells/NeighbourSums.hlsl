@@ -78,9 +78,9 @@ NeighbourSums ListedSums(uint id, uint count, float3 position)
     {
         const float3 other = PLACES[j].xyz;
         const float3 apart = Separation(position, other);
-        const bool isNear = dot(apart, apart) < _SupportSquared;
+        const bool isNear = dot(apart, apart) < _SupportSquared && j != id;
         [branch]
-        if (j != id && !IsParted(isNear ? slot : 0u, position, j, other, apart)) // beyond R nothing is added
+        if (isNear && IsListedBy(j, id) && !IsParted(isNear ? slot : 0u, position, j, other, apart))
         {
             AddNeighbour(sums, apart, dot(apart, apart));
         }
