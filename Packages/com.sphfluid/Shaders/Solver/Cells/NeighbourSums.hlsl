@@ -78,9 +78,12 @@ NeighbourSums ListedSums(uint id, uint count, float3 position)
     {
         const float3 other = PLACES[j].xyz;
         const float3 apart = Separation(position, other);
-        const bool isNear = dot(apart, apart) < _SupportSquared && j != id;
+        bool isNear = dot(apart, apart) < _SupportSquared && j != id;
+#if !defined(SEARCHES) // where others are just being listed, from these places
+        isNear = isNear && IsListedBy(j, id);
+#endif
         [branch]
-        if (isNear && IsListedBy(j, id) && !IsParted(isNear ? slot : 0u, position, j, other, apart))
+        if (isNear && !IsParted(isNear ? slot : 0u, position, j, other, apart))
         {
             AddNeighbour(sums, apart, dot(apart, apart));
         }
