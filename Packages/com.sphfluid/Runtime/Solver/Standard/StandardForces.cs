@@ -27,6 +27,16 @@ namespace SphFluid
         /// <summary>Those that act.</summary>
         public static IEnumerable<ParticleForce> Acting(StandardSettings settings) => All.Where(force => force.Acts(settings));
 
+        /// <summary>Whether any acts. It is asked in every frame, and leaves no garbage.</summary>
+        public static bool Act(in StandardSettings settings)
+        {
+            for (int i = 0; i < All.Count; i++)
+            {
+                if (All[i].Acts(settings)) return true;
+            }
+            return false;
+        }
+
         /// <summary>Records their parts in PairForces.hlsl.</summary>
         public static void SetMotion(CommandBuffer cmd, ComputeKernel kernel, StandardState state, in FluidStep step)
         {

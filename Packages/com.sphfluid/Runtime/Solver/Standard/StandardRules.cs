@@ -1,5 +1,4 @@
 using System;
-using System.Linq;
 using UnityEngine;
 
 namespace SphFluid
@@ -71,18 +70,16 @@ namespace SphFluid
 
         /// <summary>What two bodies may close while a list serves, over R.</summary>
         public static double ListClosing(in StandardSettings own) =>
-            HasForces(own) ? ListReuse.CarefulClosing : ListReuse.MostClosing;
+            StandardForces.Act(own) ? ListReuse.CarefulClosing : ListReuse.MostClosing;
 
         /// <summary>Steps that one sort serves, 1 or more.</summary>
         /// <param name="own">The liquid's constants.</param>
         /// <param name="after">Steps that lists serve after the first, as <see cref="ListReuse"/> has it.</param>
         public static int StepsPerSort(in StandardSettings own, double after)
         {
-            int most = HasForces(own) ? Math.Min(own.StepsPerSort, MostStepsWithForces) : own.StepsPerSort;
+            int most = StandardForces.Act(own) ? Math.Min(own.StepsPerSort, MostStepsWithForces) : own.StepsPerSort;
             return 1 + (int)Math.Min(most - 1, after);
         }
-
-        private static bool HasForces(in StandardSettings own) => StandardForces.Acting(own).Any();
 
         /// <summary>What StandardDensity.compute needs of the last step: τ/dt, and by how much density may grow in it without τ.</summary>
         public static Vector2 Impact(in FluidSolverSettings settings, float step)
