@@ -132,9 +132,9 @@ namespace SphFluid
             double gravity = solver.Settings.Gravity.magnitude, gain = gravity * Math.Max(0.0, deltaTime - SeenFrame);
             if (speeds != null)
             {
-                // What falls has grown faster since, up to the speed by rule.
-                double flow = SpeedMargin * speeds.Sample.Bulk, fallen = gravity * (SpeedReadback.Delay + 1) * deltaTime;
-                solver.FlowSpeed = (float)Math.Max(flow, Math.Min(flow + fallen, reference?.Most ?? solver.Settings.MaxSpeed));
+                // By now what falls or is pressed may be as fast as its head.
+                double head = Math.Min(speeds.Sample.Head, reference?.Most ?? solver.Settings.MaxSpeed);
+                solver.FlowSpeed = (float)(SpeedMargin * Math.Max(speeds.Sample.Bulk, head));
                 solver.PeakSpeed = (float)Math.Max(SpeedMargin * speeds.Sample.Fastest + gain,
                     deltaTime > 0.0 ? bodyMotion / deltaTime : 0.0);
             }
