@@ -210,9 +210,10 @@ namespace SphFluid
         /// <param name="cmd">Command buffer.</param>
         /// <param name="arguments">Groups along x, y and z, uint each; made for
         /// <see cref="GraphicsBuffer.Target.IndirectArguments"/>.</param>
-        public void DispatchIndirect(CommandBuffer cmd, GraphicsBuffer arguments)
+        /// <param name="begin">Where they begin in it, in bytes.</param>
+        public void DispatchIndirect(CommandBuffer cmd, GraphicsBuffer arguments, uint begin = 0)
         {
-            cmd.DispatchCompute(shader, index, arguments, 0);
+            cmd.DispatchCompute(shader, index, arguments, begin);
             DispatchesRecorded++;
         }
 

@@ -11,14 +11,16 @@ namespace SphFluid
         private static readonly int IsKept = Id("_IsKept");
         private static readonly int FloatsHere = Id("_FloatsHere");
         private static readonly int SteepestWall = Id("_SteepestWall");
+        private static readonly int WalledArguments = Id("_WalledArguments");
         private static readonly int HasMirrors = Id("_HasMirrors");
 
-        private readonly ComputeKernel kernel;
+        private readonly ComputeKernel findWalled, gatherWalls;
 
         public GatherWallsPass(FluidShaderSet shaders)
             : base(shaders, "GatherWalls")
         {
-            kernel = Kernel();
+            findWalled = Kernel("FindWalled");
+            gatherWalls = Kernel();
         }
 
         /// <param name="cmd">Command buffer.</param>
@@ -32,24 +34,36 @@ namespace SphFluid
             Vector3 step = isAtEnd ? new Vector3(state.BodyStep.y, state.BodyStep.x, -state.BodyStep.z) : state.BodyStep;
             using (Sample(cmd))
             {
-                CellBindings.SetFaces(cmd, kernel, state.Settings);
-                MeshContact.Set(cmd, kernel, state.Settings);
-                state.Bodies.Bind(cmd, kernel, step.x, step.y);
-                CellBindings.SetCells(cmd, kernel, state);
-                kernel.SetFloat(cmd, TimeStep, step.z);
-                kernel.SetFloat(cmd, SteepestWall, state.SteepestWall);
-                kernel.SetBool(cmd, HasMirrors, state.HasMirrors);
-                kernel.SetFloat(cmd, FloatsHere, isAtEnd ? 1f : 0f);
-                kernel.SetFloat(cmd, GapScale, state.Bodies.IsUnderWay ? 0f : 0.999f);
-                kernel.SetInt(cmd, IsKept, isKept ? 1 : 0);
-                kernel.SetBuffer(cmd, state.Buffers.Positions.Id, positions);
-                CellBindings.SetFloating(cmd, kernel, state);
-                kernel.SetOut(cmd, state.List.WallSlot);
-                kernel.SetOut(cmd, state.List.WallBodies);
-                kernel.SetOut(cmd, state.Walls.NearWalls);
-                kernel.SetOut(cmd, state.Walls.WallGap);
-                kernel.DispatchThreads(cmd, state.ParticleCount);
+                state.Walls.BeginGathering();
+                Bind(cmd, findWalled, state, positions, step, isKept, isAtEnd);
+                CellBindings.SetCells(cmd, findWalled, state);
+                findWalled.SetOut(cmd, state.Walls.Walled);
+                findWalled.DispatchThreads(cmd, state.ParticleCount);
+                Bind(cmd, gatherWalls, state, positions, step, isKept, isAtEnd);
+                MeshContact.Set(cmd, gatherWalls, state.Settings);
+                gatherWalls.SetFloat(cmd, TimeStep, step.z);
+                gatherWalls.SetFloat(cmd, SteepestWall, state.SteepestWall);
+                gatherWalls.SetBool(cmd, HasMirrors, state.HasMirrors);
+                gatherWalls.SetOut(cmd, state.Walls.NearWalls);
+                gatherWalls.Set(cmd, state.Walls.Walled);
+                gatherWalls.DispatchIndirect(cmd, state.Walls.Walled, state.Walls.WalledArguments);
             }
+        }
+
+        private static void Bind(CommandBuffer cmd, ComputeKernel kernel, CellState state, FluidBuffer positions, Vector3 step, bool isKept,
+            bool isAtEnd)
+        {
+            CellBindings.SetFaces(cmd, kernel, state.Settings);
+            CellBindings.SetFloating(cmd, kernel, state);
+            state.Bodies.Bind(cmd, kernel, step.x, step.y);
+            kernel.SetFloat(cmd, FloatsHere, isAtEnd ? 1f : 0f);
+            kernel.SetFloat(cmd, GapScale, state.Bodies.IsUnderWay ? 0f : 0.999f);
+            kernel.SetInt(cmd, IsKept, isKept ? 1 : 0);
+            kernel.SetInt(cmd, WalledArguments, (int)state.Walls.WalledArguments);
+            kernel.SetBuffer(cmd, state.Buffers.Positions.Id, positions);
+            kernel.SetOut(cmd, state.List.WallSlot);
+            kernel.SetOut(cmd, state.List.WallBodies);
+            kernel.SetOut(cmd, state.Walls.WallGap);
         }
     }
 }

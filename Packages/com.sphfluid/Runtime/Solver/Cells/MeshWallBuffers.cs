@@ -23,13 +23,27 @@ namespace SphFluid
         /// </summary>
         public readonly BufferRange WallGap;
 
+        /// <summary>
+        /// Particles whose walls are gathered, behind twice their groups, x, y and z, and their number: for this time, and, empty, for the
+        /// next.
+        /// </summary>
+        public readonly FluidBuffer Walled;
+
         public MeshWallBuffers(int particleCount, bool isPlanned = false) : base(isPlanned)
         {
             long count = particleCount;
             NearWalls = Add("NearWalls", count, WallStride);
             // With Direct3D 11 Unity gives a buffer of indirect arguments typed and raw views, never structured ones.
             Contacts = Add("Contacts", ArgumentWords + count * (ContactWords + GapWords), sizeof(uint), Arguments);
+            Walled = Add("Walled", 2 * ArgumentWords + count, sizeof(uint), Arguments);
+            Walled.SetData(new uint[] { 0, 1, 1, 0, 0, 1, 1, 0 });
             WallGap = Contacts.Range("WallGap", ArgumentWords + count * ContactWords);
         }
+
+        /// <summary>Which of the two are those of this time: bytes before them.</summary>
+        public uint WalledArguments { get; private set; }
+
+        /// <summary>For the next time.</summary>
+        public void BeginGathering() => WalledArguments = ArgumentWords * sizeof(uint) - WalledArguments;
     }
 }

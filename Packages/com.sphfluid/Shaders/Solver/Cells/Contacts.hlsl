@@ -7,6 +7,8 @@
 #define CONTACT_COUNT 12u
 #define CONTACT_BYTES 16u
 
+#define GAP_BRIEF 0x80000000u // of the distance: the walls that were gathered there do not hold far away
+
 uint _WallGapBegin;
 
 uint ContactAddress(uint slot)

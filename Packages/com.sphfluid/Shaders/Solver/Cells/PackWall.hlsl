@@ -4,8 +4,6 @@
 // Walls as they are stored: what MeshWalls.hlsl unpacks.
 #include "MeshWalls.hlsl"
 
-#define BRIEF_FLAG 8u // the share of the walls does not hold farther away
-
 uint PackNormal(float3 n)
 {
     n /= max(abs(n.x) + abs(n.y) + abs(n.z), 1e-9);

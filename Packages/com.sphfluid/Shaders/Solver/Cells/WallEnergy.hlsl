@@ -5,6 +5,7 @@
 // gradient is the walls' push, so that walls at rest do no work. Lengths are over R, gradients and Hessians per R and R^2.
 #include "TriangleSweep.hlsl"
 #include "EdgeShadow.hlsl"
+#include "NearTriangles.hlsl"
 #include "MeshWalls.hlsl"
 
 // of each triangle: three bits for edges inside of a plane, the others here, and above them the number of its surface
@@ -57,24 +58,44 @@ SeenTriangle Seen(BodyPose pose, bool moves, uint index, float3 position)
     return seen;
 }
 
-// The side of a surface that a particle is on, by the triangle that is nearest: 1 or -1, as its corners run; 0 out of reach.
-float SideOf(BodyPose pose, bool moves, uint begin, uint end, float3 position)
+uint EdgesOf(uint place)
 {
+    return _BodyLists[_BodyLists[place]];
+}
+
+uint SurfaceOf(uint place)
+{
+    return EdgesOf(place) >> EDGES_SURFACE;
+}
+
+// The side of a surface that a particle is on, by the triangle that is nearest: 1 or -1, as its corners run; 0 out of reach. end: of the
+// surface's triangles; of these those that take no part are passed over from here on.
+float SideOf(BodyPose pose, bool moves, NearTriangles near, uint begin, out uint end, float3 position)
+{
+    const uint surface = SurfaceOf(begin);
     bool sees = false; // a triangle from the side of its corners' run, and one from the other
     bool seesBack = false;
+    end = begin;
+    bool isSame = true;
     [loop]
-    for (uint n = begin; n < end && !(sees && seesBack); n++)
+    while (isSame)
     {
-        const float height = Seen(pose, moves, _BodyLists[n], position).Height;
-        const bool isFront = (height > 0.0) == ((_BodyLists[_BodyLists[n]] & EDGES_TURNED) == 0u);
+        const float height = Seen(pose, moves, _BodyLists[end], position).Height;
+        if (height == 0.0)
+        {
+            PassOver(near, end);
+        }
+        const bool isFront = (height > 0.0) == ((EdgesOf(end) & EDGES_TURNED) == 0u);
         sees = sees || height != 0.0 && isFront;
         seesBack = seesBack || height != 0.0 && !isFront;
+        end = NextNear(near, end + 1u);
+        isSame = end < near.Range.y && SurfaceOf(min(end, near.Range.y - 1u)) == surface;
     }
     float nearest = SHADOW_REACH * SHADOW_REACH;
     float side = sees ? 1.0 : seesBack ? -1.0 : 0.0; // all look one way
     float highest = 0.0;
     [loop]
-    for (uint t = begin; t < (sees && seesBack ? end : begin); t++)
+    for (uint t = NextNear(near, begin); t < (sees && seesBack ? end : begin); t = NextNear(near, t + 1u))
     {
         const uint index = _BodyLists[t];
         const SeenTriangle seen = Seen(pose, moves, index, position);
@@ -192,9 +213,10 @@ Shadow Scaled(Shadow shadow, float factor)
 // the solid and takes away what is behind it, so that round an edge nothing comes or goes at once; the back of a thin plate is left out.
 // planes: unit normals towards the particle; owners: their bodies. shares: of the gradient, to the plane of the body that looks most along
 // it.
-Shadow TriangleShadow(float3 position, float3 planes[WALL_PLANES], uint owners[WALL_PLANES], inout WallShares shares)
+Shadow TriangleShadow(uint thread, float3 position, float3 planes[WALL_PLANES], uint owners[WALL_PLANES], inout WallShares shares)
 {
     Shadow sum = (Shadow)0;
+    uint word = 0u;
     [loop]
     for (uint b = 0u; b < BodyCount(); b++)
     {
@@ -207,20 +229,16 @@ Shadow TriangleShadow(float3 position, float3 planes[WALL_PLANES], uint owners[W
 #else
         const uint2 range = BodyCellRange(body, x);
 #endif
-        uint begin = range.x;
+        const NearTriangles near = NearOf(range, word, thread);
+        word = WordBehind(near);
+        uint begin = NextNear(near, range.x);
         [loop]
         while (begin < range.y)
         {
-            const uint surface = _BodyLists[_BodyLists[begin]] >> EDGES_SURFACE;
-            uint end = begin + 1u;
+            uint end;
+            const float side = SideOf(pose, moves, near, begin, end, position);
             [loop]
-            while (end < range.y && _BodyLists[_BodyLists[min(end, range.y - 1u)]] >> EDGES_SURFACE == surface)
-            {
-                end++;
-            }
-            const float side = SideOf(pose, moves, begin, end, position);
-            [loop]
-            for (uint t = begin; t < (side != 0.0 ? end : begin); t++)
+            for (uint t = NextNear(near, begin); t < (side != 0.0 ? end : begin); t = NextNear(near, t + 1u))
             {
                 const uint index = _BodyLists[t];
                 const uint edges = _BodyLists[index];

@@ -1,3 +1,4 @@
+using System.Linq;
 using NUnit.Framework;
 using UnityEngine;
 
@@ -30,9 +31,42 @@ namespace SphFluid.Tests
                 GpuTest.Run(cmd => new GatherWallsPass(set).Record(cmd, rig.State, rig.State.Buffers.Positions, isKept: true));
                 Assert.That(Gap() < was - 1e-3f * radius, Is.EqualTo(gathers));
 
-                float Gap() => rig.State.Walls.WallGap.Read<Vector4>(1)[0].w;
+                float Gap() => Mathf.Abs(rig.State.Walls.WallGap.Read<Vector4>(1)[0].w);
             }
             UnityEngine.Object.DestroyImmediate(set);
+        }
+
+        // Whoever gathers is listed once, in as many groups as that takes, and the lists of the steps before are forgotten.
+        [TestCase(1)]
+        [TestCase(63)]
+        [TestCase(64)]
+        [TestCase(65)]
+        [TestCase(1009)]
+        public void WhoSeesTrianglesIsListedOnce(int count)
+        {
+            FluidSolverSettings settings = BodyRig.Water(Vector3.one, Spacing, 0.3f);
+            FluidParticle[] near = ParticleSets.Random(4 * count, new Vector3(0.35f, 0.35f, 0.35f), 0f, 3)
+                .Where(p => p.Position.magnitude > 0.21f).Take(count - count / 4).ToArray();
+            FluidParticle[] all = Enumerable.Range(0, count).Select(i => new FluidParticle(
+                i < near.Length ? near[i].Position : new Vector3(-0.45f, -0.45f, -0.45f), Vector3.zero, (uint)i)).ToArray();
+            using (var rig = new BodyRig(settings))
+            {
+                rig.AddBall(0.2f, 12);
+                rig.Start(all);
+                rig.Setup();
+                for (int time = 0; time < 3; time++)
+                {
+                    GpuTest.Run(cmd => new GatherWallsPass(rig.Shaders).Record(cmd, rig.State, rig.State.Buffers.Positions, isKept: false));
+                    uint[] words = GpuTest.Read<uint>(rig.State.Walls.Walled, 8 + count);
+                    uint[] arguments = words.Skip((int)rig.State.Walls.WalledArguments / 4).Take(4).ToArray();
+                    uint[] slots = rig.State.List.WallSlot.Read<uint>(count);
+                    int[] listed = words.Skip(8).Take((int)arguments[3]).Select(id => (int)id).ToArray();
+                    Assert.That(listed, Is.Unique);
+                    Assert.That(Enumerable.Range(0, count).Where(i => slots[i] != 0u), Is.SubsetOf(listed));
+                    Assert.That(listed.Length, Is.InRange(near.Length / 4, near.Length), "none of those far away");
+                    Assert.That(arguments.Take(3), Is.EqualTo(new[] { (uint)(listed.Length + 63) / 64u, 1u, 1u }));
+                }
+            }
         }
 
         // A body that has moved, has rested for some frames and then jumps is at its new place in the next step.

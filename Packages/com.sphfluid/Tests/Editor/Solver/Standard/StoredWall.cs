@@ -1,3 +1,4 @@
+using System;
 using System.Linq;
 using System.Runtime.InteropServices;
 using UnityEngine;
@@ -31,8 +32,9 @@ namespace SphFluid.Tests
         private readonly Vector3 position;
         private readonly FluidSolverSettings settings;
 
-        public StoredWall(Packed packed, Vector3 position, FluidSolverSettings settings)
+        public StoredWall(Packed packed, Vector3 position, FluidSolverSettings settings, bool isBrief = false)
         {
+            IsBrief = isBrief;
             this.packed = packed;
             this.position = position;
             this.settings = settings;
@@ -48,10 +50,10 @@ namespace SphFluid.Tests
         public double Value => packed.Share + Double3.Dot(Push + 0.5 * Turned, Gone);
 
         /// <summary>Whether it serves for a short way only.</summary>
-        public bool IsBrief => (Flags & 8u) != 0u;
+        public bool IsBrief { get; }
 
         /// <summary>The same, seen from a place to which the particle has gone since.</summary>
-        public StoredWall From(Vector3 place) => new StoredWall(packed, place, settings);
+        public StoredWall From(Vector3 place) => new StoredWall(packed, place, settings, IsBrief);
 
         public double Gradient(int axis) => (Push + Turned)[axis];
 
@@ -147,8 +149,10 @@ namespace SphFluid.Tests
             uint[] slots = state.List.WallSlot.Read<uint>(count);
             Packed[] packed = GpuTest.Read<Packed>(state.Walls.NearWalls, count);
             Vector4[] positions = GpuTest.Read<Vector4>(state.Buffers.Positions, count);
+            Vector4[] gaps = state.Walls.WallGap.Read<Vector4>(count);
             return Enumerable.Range(0, count).Select(i =>
-                new StoredWall(slots[i] == 0u ? default : packed[slots[i] - 1], positions[i], state.Settings)).ToArray();
+                new StoredWall(slots[i] == 0u ? default : packed[slots[i] - 1], positions[i], state.Settings,
+                    BitConverter.SingleToInt32Bits(gaps[i].w) < 0)).ToArray();
         }
     }
 }
