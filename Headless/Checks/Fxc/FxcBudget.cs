@@ -26,7 +26,7 @@ internal sealed class FxcBudget(string packageRoot)
         // The share of each plane is taken for walls, friction, floating bodies, zones and the force on walls, in one loop over what is near;
         // the gradient correction adds two products of matrices to each pair.
         ["MoveParticles"] = 2420,
-        ["GatherWalls"] = 2170, // planes of three turns, and sums over edges with their Hessian; bodies that stretch and those that float
+        ["GatherWalls"] = 2420, // planes of three turns, sums over edges with their Hessian, far triangles passed over; bodies that stretch and float
         ["ResolveContacts"] = 1820, // four kinds of bodies; those that deform are followed through a step; rectangles by the area they cover
         // 27 samples a thread in registers through nested loops, two filters.
         ["SampleBlocks"] = 1600,

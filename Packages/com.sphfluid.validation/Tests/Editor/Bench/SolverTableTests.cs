@@ -150,7 +150,7 @@ namespace SphFluid.Tests
         [TestCase("standard", 5)]
         [TestCase("standard_search", 5)]
         [TestCase("standard_unordered", 4)]
-        [TestCase("standard_mesh", 8)]
+        [TestCase("standard_mesh", 9)]
         [TestCase("standard_2.25", 5)]
         public void DispatchesOfAStep(string name, int expected)
         {
