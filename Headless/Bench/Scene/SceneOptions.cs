@@ -3,7 +3,7 @@ namespace Headless.Bench.Scene;
 /// <summary>Flags of <c>sphbench</c>; the first word is the folder of the build to measure.</summary>
 internal sealed record SceneOptions
 {
-    private static readonly string[] ofTheLiquid = ["--method", "--surface", "--particles", "--seed"];
+    private static readonly string[] ofTheLiquid = ["--method", "--surface", "--particles", "--seed", "--profile"];
 
     internal static readonly IReadOnlyList<Flag> Flags =
     [

@@ -33,6 +33,9 @@ namespace SphFluid.Validation
             Options.Add("--particles", "N", "the same liquid with about N particles", "as in the scene",
                 flag => Particles = flag.Integer(1, int.MaxValue));
             Options.Add("--seed", "N", "seed of the start jitter", "as in the scene", flag => Seed = flag.Integer(0, int.MaxValue));
+            Options.Add("--profile", "LIST",
+                "numbers of every liquid's profile, as support-ratio=2,substeps=2; of " + string.Join(" | ", ProfileNumbers.Names),
+                "as in the scene", flag => Profile = ProfileNumbers.Parse(flag.Name, flag.Value()));
             Options.Add("--sequence", "DIR", "plays the liquid from the particle files of a sequence instead of simulating it", null,
                 flag => Sequence = flag.Value());
             Options.Add("--write-sequence", "DIR", "writes the particles of every frame as a sequence", null,
@@ -65,6 +68,9 @@ namespace SphFluid.Validation
 
         /// <summary>Seed of the start jitter; null keeps the scene's.</summary>
         public int? Seed { get; private set; }
+
+        /// <summary>Numbers for every simulation's profile; null keeps the scene's.</summary>
+        internal ProfileNumbers Profile { get; private set; }
 
         /// <summary>Folder of a sequence that is played in the place of the scene's liquid, or null.</summary>
         public string Sequence { get; private set; }
@@ -119,7 +125,7 @@ namespace SphFluid.Validation
             }
             // What is played is not started: it has its own particles.
             string idle = Sequence == null ? null : Method != null ? "--method" : Budget != null ? "--budget" : Particles != null
-                ? "--particles" : Seed != null ? "--seed" : null;
+                ? "--particles" : Seed != null ? "--seed" : Profile != null ? "--profile" : null;
             if (idle != null)
             {
                 throw new CommandLineException(

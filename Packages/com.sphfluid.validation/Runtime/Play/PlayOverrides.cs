@@ -23,6 +23,7 @@ namespace SphFluid.Validation
             {
                 if (liquid != null) SetLiquid(simulation, liquid);
                 if (arguments.Method is FluidMethodKind method) simulation.Method = method;
+                arguments.Profile?.Set(simulation);
                 if (arguments.Budget is float budget) simulation.FrameBudget = budget;
                 if (arguments.Particles is int count) SetParticles(simulation, count);
                 if (arguments.Seed is int seed) simulation.Seed = seed;

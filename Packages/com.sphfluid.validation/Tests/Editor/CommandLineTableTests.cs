@@ -14,6 +14,8 @@ namespace SphFluid.Tests
         private static readonly string[] NoCounts = { "", " ", "-1", "0", "NaN", "1.5", "1e30", "0x10", "1_000",
             "99999999999999999999", "many" };
         private static readonly string[] NoSeeds = { "", "-1", "NaN", "1.5", "1e30", "99999999999999999999", "many" };
+        private static readonly string[] NoProfiles = { "", "2", "substeps", "substeps=", "substeps=-1", "substeps=NaN", "sub=2", "=2",
+            "substeps=2,", "substeps=2,substeps=3", "support-ratio=2;substeps=2" };
         private static readonly string[] NoMinutes = { "", "-1", "0", "NaN", "Infinity", "1e30", "1e-30", "99999999999999999999", "soon" };
         private static readonly string[] NoShares = { "", " ", "-1", "-5%", "0", "0%", "%", "NaN", "Infinity", "1e30",
             "5 per cent", "soon" };
@@ -27,7 +29,7 @@ namespace SphFluid.Tests
             ("play", w => PlayArguments.Parse(w), new[]
             {
                 ("--method", NoNames), ("--budget", NoMinutes), ("--surface", NoNames), ("--particles", NoCounts), ("--seed", NoSeeds),
-                ("--sequence", NoFolders), ("--write-sequence", NoFolders), ("--state", NoFiles), ("--mesh", NoFiles),
+                ("--profile", NoProfiles), ("--sequence", NoFolders), ("--write-sequence", NoFolders), ("--state", NoFiles), ("--mesh", NoFiles),
                 ("--record", NoFiles),
             }),
             ("bench", w => BenchArguments.Parse(w), new[]

@@ -113,6 +113,7 @@ namespace SphFluid.Tests
         [TestCase("--budget", "2")]
         [TestCase("--particles", "100")]
         [TestCase("--seed", "0")]
+        [TestCase("--profile", "substeps=2")]
         public void WhatAPlayedLiquidDoesNotStartByIsRefused(string flag, string value)
         {
             var exception = Assert.Throws<CommandLineException>(() => Parse("player", "--", "--sequence", "a", flag, value));

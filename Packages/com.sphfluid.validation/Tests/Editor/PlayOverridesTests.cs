@@ -56,6 +56,38 @@ namespace SphFluid.Tests
         }
 
         [Test]
+        public void NumbersOfTheProfileLeaveTheAssetAsItIs()
+        {
+            FluidProfile asset = ScriptableObject.CreateInstance<FluidProfile>();
+            simulation.Profile = asset;
+            PlayOverrides.Apply(PlayArguments.Parse(new[] { "player", "--", "--profile", "support-ratio=2, substeps=1" }), new[] { simulation });
+            Assert.That((simulation.Profile.SupportRatio, simulation.Profile.Substeps), Is.EqualTo((2f, 1)));
+            Assert.That((asset.SupportRatio, asset.Substeps), Is.EqualTo((2.25f, 4)));
+            Object.DestroyImmediate(simulation.Profile);
+            Object.DestroyImmediate(asset);
+        }
+
+        [TestCase("support-ratio=1", "--profile: support-ratio 1 is not a value that a profile may have; the nearest is 1.5.")]
+        [TestCase("substeps=2.5", "--profile: substeps 2.5 is not a value that a profile may have; the nearest is 2.")]
+        public void ANumberThatTheProfileCannotHaveIsRefused(string list, string message)
+        {
+            FluidProfile asset = ScriptableObject.CreateInstance<FluidProfile>();
+            simulation.Profile = asset;
+            PlayArguments arguments = PlayArguments.Parse(new[] { "player", "--", "--profile", list });
+            Assert.That(() => PlayOverrides.Apply(arguments, new[] { simulation }),
+                Throws.TypeOf<CommandLineException>().With.Message.EqualTo(message));
+            Object.DestroyImmediate(asset);
+        }
+
+        [Test]
+        public void ALiquidWithoutAProfileTakesNoNumbersOfOne()
+        {
+            PlayArguments arguments = PlayArguments.Parse(new[] { "player", "--", "--profile", "substeps=2" });
+            Assert.That(() => PlayOverrides.Apply(arguments, new[] { simulation }),
+                Throws.TypeOf<CommandLineException>().With.Message.StartsWith("--profile: 'Fluid' has no profile before it starts."));
+        }
+
+        [Test]
         public void StyleOfTheScenesRendererFollows()
         {
             var drawing = simulation.gameObject.AddComponent<FluidGeometrySurfaceRenderer>();

@@ -43,7 +43,7 @@ PairSums ListedPairs(uint id, float3 position, PairSums sums)
         const float3 apart = Separation(position, next.xyz);
         const bool isNear = dot(apart, apart) * _InverseSupport * _InverseSupport < 1.0 && other != id;
         [branch]
-        if (isNear && IsListedBy(other, id) && !IsParted(isNear ? WallSlot(id) : 0u, position, other, next.xyz, apart))
+        if (IsUnlistedPair(isNear, id, position, other, next.xyz, apart))
         {
             AddPair(sums, other, next.w, apart, dot(apart, apart));
         }

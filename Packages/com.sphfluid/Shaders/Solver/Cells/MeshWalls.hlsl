@@ -146,6 +146,13 @@ bool IsParted(uint slot, float3 position, uint other, float3 otherPosition, floa
     return cut;
 }
 
+// Whether a particle without a list has a pair with another, d away, that is near: the other lists it, and no sheet parts them.
+bool IsUnlistedPair(bool isNear, uint id, float3 position, uint other, float3 otherPosition, float3 d)
+{
+    const bool isPair = IsListedBy(isNear, other, id);
+    return isPair && !IsParted(isPair ? WallSlot(id) : 0u, position, other, otherPosition, d);
+}
+
 // For FindContacts of the same step: no particle, in no group of 1 x 1.
 void EmptyContacts(uint id)
 {

@@ -123,16 +123,23 @@ uint NextListed(inout ListRun run, out bool sees)
     return run.Last;
 }
 
-// Whether the list of another has a particle, or that has none either: who has no list takes others by theirs, else pairs that come near
-// after the lists were made would push from one side.
-bool IsListedBy(uint other, uint id)
+// Where it is asked: whether the list of another has a particle, or that has none either. A particle without a list takes others by
+// theirs, else pairs that come near after the lists were made would push from one side.
+bool IsListedBy(bool isAsked, uint other, uint id)
 {
-    const uint count = LISTS[_NeighbourCountsBegin + other];
+    const uint count = isAsked ? LISTS[_NeighbourCountsBegin + other] : 0u;
     bool isListed = count > _ListLength;
     FOR_EACH_RUN(other, isListed ? 0u : count, run)
     {
         bool sees;
-        isListed = NextListed(run, sees) == id || isListed;
+        const uint listed = NextListed(run, sees);
+        isListed = listed == id || isListed;
+#if defined(FLUID_PERIODIC)
+        const bool isPast = isListed;
+#else
+        const bool isPast = listed >= id; // lists ascend
+#endif
+        run.Head = isPast ? 0u : run.Head;
     }
     return isListed;
 }

@@ -80,7 +80,7 @@ NeighbourSums ListedSums(uint id, uint count, float3 position)
         const float3 apart = Separation(position, other);
         bool isNear = dot(apart, apart) < _SupportSquared && j != id;
 #if !defined(SEARCHES) // where others are just being listed, from these places
-        isNear = isNear && IsListedBy(j, id);
+        isNear = IsListedBy(isNear, j, id);
 #endif
         [branch]
         if (isNear && !IsParted(isNear ? slot : 0u, position, j, other, apart))
