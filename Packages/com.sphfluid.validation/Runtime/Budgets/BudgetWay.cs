@@ -38,16 +38,22 @@ namespace SphFluid.Validation
         /// <summary>What errors are measured against: a liquid compressed by a quarter of a percent.</summary>
         public static BudgetWay Reference { get; } = new BudgetWay("reference", FluidMethodKind.Standard, 0.0025f, 20f);
 
-        /// <summary>The ways that Automatic has, each given.</summary>
+        /// <summary>
+        /// The ways that Automatic has, each given, and what it does not take: few substeps, and liquid that only its iterations make soft.
+        /// </summary>
         public static IReadOnlyList<BudgetWay> Given { get; } = new[]
         {
             new BudgetWay("standard", FluidMethodKind.Standard),
             new BudgetWay("standard-soft", FluidMethodKind.Standard, SoftCompression, SoftRatio),
-            Robust(4), Robust(6), Robust(8), Robust(12), Robust(16),
+            Robust(1), Robust(2), Robust(4), Robust(6), Robust(8), Robust(12), Robust(16), PositionBased(2),
         };
 
         private static BudgetWay Robust(int substeps) =>
             new BudgetWay($"robust-{substeps}", FluidMethodKind.Robust) { Substeps = substeps };
+
+        // With a speed of sound that its iterations never reach the compliance has no say: position based fluids (Macklin & Mueller 2013).
+        private static BudgetWay PositionBased(int substeps) =>
+            new BudgetWay($"position-based-{substeps}", FluidMethodKind.Robust, 0.001f, 20f) { Substeps = substeps };
 
         /// <summary>Automatic with a budget.</summary>
         /// <param name="milliseconds">The budget [ms].</param>

@@ -10,7 +10,7 @@ namespace SphFluid
     /// </summary>
     internal static class ListReuse
     {
-        /// <summary>Over R: what two bodies may close between the first step that uses a list and the last.</summary>
+        /// <summary>Over R: what two bodies of soft liquid may close between the first step that uses a list and the last.</summary>
         public const double MostClosing = 1.2;
 
         /// <summary>
@@ -19,6 +19,15 @@ namespace SphFluid
         public const double CarefulClosing = 0.6;
 
         private const double MostBodyMotion = 0.3; // of a triangle, over R
+        private const double SoftRatio = 6.0;      // of a liquid that may close MostClosing
+
+        /// <summary>
+        /// What two bodies may close, over R. Splashes are several times as fast as bodies, so some pairs come near unseen, and what they
+        /// push with is an energy of c²: stiff liquid is thrown about by it.
+        /// </summary>
+        /// <param name="stiffness">The speed of sound over that of the fastest bodies.</param>
+        public static double ClosingFor(double stiffness) =>
+            Math.Min(MostClosing, Math.Max(CarefulClosing, MostClosing * SoftRatio / stiffness));
 
         /// <summary>Steps that may go on with lists after the first that uses them, among walls at rest; infinite at rest.</summary>
         /// <param name="settings">The liquid's constants.</param>

@@ -28,7 +28,11 @@ namespace SphFluid
 
         public static FluidSolverSettings Derive(in FluidRuleInput input)
         {
-            var own = new StandardSettings { StableOrder = true, NeighbourList = true, StepsPerSort = 16 };
+            var own = new StandardSettings
+            {
+                StableOrder = true, NeighbourList = true, StepsPerSort = 16,
+                ListClosing = (float)ListReuse.ClosingFor(Math.Max(input.SoundSpeedRatio, 1.0 / Math.Sqrt(2.0 * input.MaxCompression))),
+            };
             foreach (ParticleForce force in StandardForces.All) force.Derive(input, ref own);
             FluidSolverSettings settings = CellRules.Derive(
                 input, ViscosityShare, out double speed, out double sound, out double kinematic,
@@ -70,7 +74,7 @@ namespace SphFluid
 
         /// <summary>What two bodies may close while a list serves, over R.</summary>
         public static double ListClosing(in StandardSettings own) =>
-            StandardForces.Act(own) ? ListReuse.CarefulClosing : ListReuse.MostClosing;
+            StandardForces.Act(own) ? Math.Min(own.ListClosing, ListReuse.CarefulClosing) : own.ListClosing;
 
         /// <summary>Steps that one sort serves, 1 or more.</summary>
         /// <param name="own">The liquid's constants.</param>

@@ -28,6 +28,12 @@ namespace SphFluid
         public int StepsPerSort;
 
         /// <summary>
+        /// What two bodies of liquid may close while lists serve, over R, 0 or more; less where forces of their own ask for it
+        /// (<see cref="ListReuse"/>).
+        /// </summary>
+        public float ListClosing;
+
+        /// <summary>
         /// True: velocities behind viscosity are solved for, which is stable for steps of any length and costs some dispatches more a step.
         /// False: viscosity is added, and limits the step. The rules choose what is faster.
         /// </summary>
@@ -49,6 +55,7 @@ namespace SphFluid
         {
             Require.Positive(SoundSpeed, nameof(SoundSpeed));
             Require.Positive(StepsPerSort, nameof(StepsPerSort));
+            Require.NotNegative(ListClosing, nameof(ListClosing));
         }
     }
 }

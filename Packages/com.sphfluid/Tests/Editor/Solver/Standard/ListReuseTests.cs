@@ -191,6 +191,19 @@ namespace SphFluid.Tests
             }
         }
 
+        [TestCase(5f, 0.04f, 1.2)]
+        [TestCase(6f, 0.02f, 1.2)]
+        [TestCase(10f, 0.04f, 0.72)]
+        [TestCase(5f, 0.005f, 0.72)] // c of liquid at rest is then ten times the speed of its fall
+        [TestCase(12f, 0.04f, 0.6)]
+        [TestCase(20f, 0.0025f, 0.6)]
+        public void StiffLiquidHasFresherLists(float ratio, float compression, double closing)
+        {
+            FluidRuleInput input = FluidRuleInput.Water;
+            (input.Spacing, input.LiquidDepth, input.SoundSpeedRatio, input.MaxCompression) = (0.02f, 0.5f, ratio, compression);
+            Assert.That(StandardRules.ListClosing(StandardRules.Derive(input).Own<StandardSettings>()), Is.EqualTo(closing).Within(1e-6));
+        }
+
         [TestCase(0.07f, false, double.PositiveInfinity, 8, 0.6)]
         [TestCase(0f, true, double.PositiveInfinity, 8, 0.6)]
         [TestCase(0f, true, 6.0, 7, 0.6)]
@@ -201,7 +214,7 @@ namespace SphFluid.Tests
         {
             FluidSolverSettings settings = Water(16).WithOwn((ref StandardSettings own) =>
                 (own.SurfaceTension, own.GradientCorrection) = (tension, correction));
-            Assert.That(StandardRules.ListClosing(settings.Own<StandardSettings>()), Is.EqualTo(closing));
+            Assert.That(StandardRules.ListClosing(settings.Own<StandardSettings>()), Is.EqualTo(closing).Within(1e-6));
             Assert.That(StandardRules.StepsPerSort(settings.Own<StandardSettings>(), after), Is.EqualTo(expected));
             settings = settings.WithOwn((ref StandardSettings own) => own.StepsPerSort = 1);
             Assert.That(StandardRules.StepsPerSort(settings.Own<StandardSettings>(), after), Is.EqualTo(1));
