@@ -32,7 +32,7 @@ namespace SphFluid
         {
             FluidSolverSettings settings = state.Settings;
             double slope = RobustBindings.Slope(settings),
-                viscosity = RobustRules.ActingViscosity(settings, timeStep) / settings.RestDensity;
+                viscosity = RobustRules.ActingViscosity(settings, timeStep, iterations) / settings.RestDensity;
             float sound = (float)Math.Min(settings.SoundSpeed, RobustRules.EffectiveSoundSpeed(settings, timeStep, iterations));
             using (Sample(cmd))
             {

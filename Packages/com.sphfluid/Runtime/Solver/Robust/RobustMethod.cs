@@ -49,7 +49,7 @@ namespace SphFluid
             RobustRules.EffectiveSoundSpeed(settings, timeStep, RobustRules.IterationsFor(settings, timeStep, speed));
 
         public override double ActingViscosity(in FluidSolverSettings settings, double timeStep) =>
-            RobustRules.ActingViscosity(settings, timeStep) / settings.RestDensity;
+            RobustRules.ActingViscosity(settings, timeStep, RobustRules.IterationsFor(settings, timeStep, 0.0)) / settings.RestDensity;
 
         public override IReadOnlyList<(string Label, string Value)> Remarks(in FluidSolverSettings settings, double timeStep, double speed)
         {
@@ -57,7 +57,7 @@ namespace SphFluid
             int iterations = RobustRules.IterationsFor(settings, timeStep, speed);
             double sound = RobustRules.EffectiveSoundSpeed(settings, timeStep, iterations),
                 compression = own.DepthSpeed * (double)own.DepthSpeed / (sound * sound);
-            double viscosity = RobustRules.ActingViscosity(settings, timeStep);
+            double viscosity = RobustRules.ActingViscosity(settings, timeStep, iterations);
             var remarks = new List<(string, string)>
             {
                 ("Iterations of a step", FormattableString.Invariant($"{iterations}")),

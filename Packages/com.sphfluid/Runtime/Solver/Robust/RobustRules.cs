@@ -40,6 +40,9 @@ namespace SphFluid
         // Of R² M/dt: explicit viscosity keeps half of its border of 0.072.
         private const double ViscousLimit = 0.035;
 
+        // Iterations of a step that hardly compresses.
+        private const int MostWithoutCrowds = 4;
+
         public static FluidSolverSettings Derive(in FluidRuleInput input)
         {
             FluidSolverSettings settings = CellRules.Derive(input, ViscosityShare, out _, out double sound, out _);
@@ -114,11 +117,18 @@ namespace SphFluid
         // What of a compliance some iterations make act.
         private static double Reached(in RobustSettings own, int iterations) => 1.0 - Math.Pow(1.0 - own.Relaxation, iterations);
 
-        /// <summary>The dynamic viscosity that acts, which a long step bounds [Pa s].</summary>
-        public static double ActingViscosity(in FluidSolverSettings settings, double timeStep)
+        /// <summary>
+        /// The dynamic viscosity that acts, which a long step bounds [Pa s]. What takes many iterations is compressed where it hits
+        /// something: the border of the lattice falls with the number of its neighbours.
+        /// </summary>
+        /// <param name="settings">The liquid's constants.</param>
+        /// <param name="timeStep">Length of the step [s].</param>
+        /// <param name="iterations">Its iterations.</param>
+        public static double ActingViscosity(in FluidSolverSettings settings, double timeStep, int iterations)
         {
             double radius = settings.SupportRadius, moment = WendlandKernel.LatticeMoment(radius / settings.Spacing);
-            return Math.Min(settings.Viscosity, ViscousLimit * moment * radius * radius / timeStep * settings.RestDensity);
+            double limit = ViscousLimit * Math.Min(1.0, MostWithoutCrowds / (double)iterations);
+            return Math.Min(settings.Viscosity, limit * moment * radius * radius / timeStep * settings.RestDensity);
         }
 
         /// <summary>Advice for a running liquid: no speed and no stiffness limits the step, only its own weight does.</summary>

@@ -153,9 +153,10 @@ namespace SphFluid.Tests
         {
             FluidSolverSettings settings = RobustStateRig.Robust(Domain, Spacing);
             settings.Viscosity = 50f * settings.RestDensity;
-            double acting = RobustRules.ActingViscosity(settings, TimeStep);
+            double acting = RobustRules.ActingViscosity(settings, TimeStep, 2);
             Assert.That(acting, Is.LessThan(settings.Viscosity));
-            Assert.That(RobustRules.ActingViscosity(settings, 0.5 * TimeStep), Is.EqualTo(2.0 * acting).Within(1e-6).Percent);
+            Assert.That(RobustRules.ActingViscosity(settings, 0.5 * TimeStep, 4), Is.EqualTo(2.0 * acting).Within(1e-6).Percent);
+            Assert.That(RobustRules.ActingViscosity(settings, TimeStep, 16), Is.EqualTo(0.25 * acting).Within(1e-6).Percent);
             const int count = 257;
             using (var rig = new RobustStateRig(settings, count))
             {
@@ -192,7 +193,7 @@ namespace SphFluid.Tests
         private static Double3 Dragged(FluidParticle[] particles, int i, FluidSolverSettings settings)
         {
             float sound = (float)Math.Min(settings.SoundSpeed, RobustRules.EffectiveSoundSpeed(settings, TimeStep, 2));
-            double factor = 2.0 * RobustRules.ActingViscosity(settings, TimeStep) / (settings.RestDensity * (double)settings.RestDensity) *
+            double factor = 2.0 * RobustRules.ActingViscosity(settings, TimeStep, 2) / (settings.RestDensity * (double)settings.RestDensity) *
                 settings.ParticleMass / StandardReference.Response(settings);
             var sum = new Double3();
             for (int j = 0; j < particles.Length; j++)

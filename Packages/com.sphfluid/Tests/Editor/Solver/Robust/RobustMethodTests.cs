@@ -45,7 +45,7 @@ namespace SphFluid.Tests
                 rig.Solver.FlowSpeed = keepsLists ? 0f : settings.SupportRadius / dt;
                 rig.Steps(1);
                 var reference = new RobustReference(start, settings, dt, 0.5 * dt, keepsLists);
-                reference.Step(iterations, RobustRules.ActingViscosity(settings, dt),
+                reference.Step(iterations, RobustRules.ActingViscosity(settings, dt, iterations),
                     Math.Min(settings.SoundSpeed, RobustRules.EffectiveSoundSpeed(settings, dt, iterations)));
                 float[] pressures = rig.Pressures();
                 FluidParticle[] after = rig.Particles();
