@@ -29,8 +29,8 @@ namespace SphFluid.Tests
             ("play", w => PlayArguments.Parse(w), new[]
             {
                 ("--method", NoNames), ("--budget", NoMinutes), ("--surface", NoNames), ("--particles", NoCounts), ("--seed", NoSeeds),
-                ("--profile", NoProfiles), ("--sequence", NoFolders), ("--write-sequence", NoFolders), ("--state", NoFiles), ("--mesh", NoFiles),
-                ("--record", NoFiles),
+                ("--profile", NoProfiles), ("--sequence", NoFolders), ("--write-sequence", NoFolders), ("--state", NoFiles),
+                ("--mesh", NoFiles), ("--record", NoFiles),
             }),
             ("bench", w => BenchArguments.Parse(w), new[]
             {

@@ -60,7 +60,8 @@ namespace SphFluid.Tests
         {
             FluidProfile asset = ScriptableObject.CreateInstance<FluidProfile>();
             simulation.Profile = asset;
-            PlayOverrides.Apply(PlayArguments.Parse(new[] { "player", "--", "--profile", "support-ratio=2, substeps=1" }), new[] { simulation });
+            string[] line = { "player", "--", "--profile", "support-ratio=2, substeps=1" };
+            PlayOverrides.Apply(PlayArguments.Parse(line), new[] { simulation });
             Assert.That((simulation.Profile.SupportRatio, simulation.Profile.Substeps), Is.EqualTo((2f, 1)));
             Assert.That((asset.SupportRatio, asset.Substeps), Is.EqualTo((2.25f, 4)));
             Object.DestroyImmediate(simulation.Profile);

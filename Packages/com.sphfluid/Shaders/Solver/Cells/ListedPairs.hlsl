@@ -41,11 +41,11 @@ PairSums ListedPairs(uint id, float3 position, PairSums sums)
     {
         const float4 next = _PositionTerms[other];
         const float3 apart = Separation(position, next.xyz);
-        const bool isNear = dot(apart, apart) * _InverseSupport * _InverseSupport < 1.0 && other != id;
+        const float squared = dot(apart, apart);
         [branch]
-        if (IsUnlistedPair(isNear, id, position, other, next.xyz, apart))
+        if (IsUnlistedPair(squared * _InverseSupport * _InverseSupport < 1.0 && other != id, id, position, other, next.xyz, apart))
         {
-            AddPair(sums, other, next.w, apart, dot(apart, apart));
+            AddPair(sums, other, next.w, apart, squared);
         }
     }
     return sums;

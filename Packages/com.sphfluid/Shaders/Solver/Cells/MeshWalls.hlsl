@@ -132,25 +132,21 @@ WallDensity WallsOf(uint slot, float3 position)
     return walls;
 }
 
-// Whether a sheet parts a particle from another, d away from it.
-bool IsParted(uint slot, float3 position, uint other, float3 otherPosition, float3 d)
+// Of a particle without a list, whether another that is near, d away, is its neighbour: by the other's list, unless that is being written.
+bool IsUnlistedPair(bool isNear, uint id, float3 position, uint other, float3 otherPosition, float3 d)
 {
-    bool cut = false;
+#if !defined(SEARCHES)
+    isNear = IsListedBy(isNear, other, id);
+#endif
 #if defined(FLUID_MESH_WALLS)
+    const uint slot = isNear ? WallSlot(id) : 0u;
     [branch]
     if (slot != 0u)
     {
-        cut = IsCut(WallOf(slot, position), other, otherPosition, d);
+        isNear = !IsCut(WallOf(slot, position), other, otherPosition, d);
     }
 #endif
-    return cut;
-}
-
-// Whether a particle without a list has a pair with another, d away, that is near: the other lists it, and no sheet parts them.
-bool IsUnlistedPair(bool isNear, uint id, float3 position, uint other, float3 otherPosition, float3 d)
-{
-    const bool isPair = IsListedBy(isNear, other, id);
-    return isPair && !IsParted(isPair ? WallSlot(id) : 0u, position, other, otherPosition, d);
+    return isNear;
 }
 
 // For FindContacts of the same step: no particle, in no group of 1 x 1.

@@ -132,14 +132,8 @@ bool IsListedBy(bool isAsked, uint other, uint id)
     FOR_EACH_RUN(other, isListed ? 0u : count, run)
     {
         bool sees;
-        const uint listed = NextListed(run, sees);
-        isListed = listed == id || isListed;
-#if defined(FLUID_PERIODIC)
-        const bool isPast = isListed;
-#else
-        const bool isPast = listed >= id; // lists ascend
-#endif
-        run.Head = isPast ? 0u : run.Head;
+        isListed = NextListed(run, sees) == id || isListed;
+        run.Head = isListed ? 0u : run.Head;
     }
     return isListed;
 }

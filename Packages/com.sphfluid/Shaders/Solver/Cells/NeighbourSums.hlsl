@@ -78,12 +78,8 @@ NeighbourSums ListedSums(uint id, uint count, float3 position)
     {
         const float3 other = PLACES[j].xyz;
         const float3 apart = Separation(position, other);
-        bool isNear = dot(apart, apart) < _SupportSquared && j != id;
-#if !defined(SEARCHES) // where others are just being listed, from these places
-        isNear = IsListedBy(isNear, j, id);
-#endif
         [branch]
-        if (isNear && !IsParted(isNear ? slot : 0u, position, j, other, apart))
+        if (IsUnlistedPair(dot(apart, apart) < _SupportSquared && j != id, id, position, j, other, apart))
         {
             AddNeighbour(sums, apart, dot(apart, apart));
         }

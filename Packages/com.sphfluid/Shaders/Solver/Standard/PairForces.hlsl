@@ -151,9 +151,8 @@ PairSums NeighbourSums(uint id, float3 position, float3 velocity, float pressure
     {
         const float3 place = _PositionTerms[other].xyz;
         const float3 d = Separation(position, place);
-        const bool isNear = dot(d, d) < 1.0 / (_InverseSupport * _InverseSupport) && other != id;
         [branch]
-        if (IsUnlistedPair(isNear, id, position, other, place, d))
+        if (IsUnlistedPair(dot(d, d) < 1.0 / (_InverseSupport * _InverseSupport) && other != id, id, position, other, place, d))
         {
             const float3 parted = position + float3(Apart(id, other, dot(d, d)), 0.0, 0.0);
             AddNeighbour(sums, other, true, parted, velocity, pressure);
