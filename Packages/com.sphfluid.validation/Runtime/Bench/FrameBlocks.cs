@@ -47,7 +47,7 @@ namespace SphFluid.Validation
         {
             new BenchBlock("sort", "CalculateParticleCellValue", "BitonicSort", "FusedBitonicSort", "ResetGridIndices", "SetGridIndices",
                 "SortParticles",
-                "ScanCells", "ScatterParticles"),
+                "ScanCells", "RankCells", "ScatterParticles"),
             new BenchBlock("density", "CalculateDensity", "StandardDensity", "ConstrainDensity"),
             new BenchBlock("motion", "CalculateForce", "CalculateAcceleration", "CalculateNewPosition", "MoveParticles",
                 "PredictParticles", "MoveByConstraints", "FinishParticles"),
