@@ -17,7 +17,7 @@ namespace SphFluid.Validation
         public const string Frame = "BenchFrame";
 
         /// <summary>The first pass of every method's neighbour setup.</summary>
-        public static readonly IReadOnlyList<string> Setup = new[] { "CalculateParticleCellValue", "ScanCells" };
+        public static readonly IReadOnlyList<string> Setup = new[] { "CalculateParticleCellValue", "ScanCells", "RankCells" };
 
         /// <summary>One a block of the thesis, and one a drawing, in the order of a frame.</summary>
         public static readonly IReadOnlyList<BenchBlock> Thesis = new[]

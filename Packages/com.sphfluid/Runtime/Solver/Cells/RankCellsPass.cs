@@ -33,15 +33,12 @@ namespace SphFluid
         /// <summary>Before particles that came from outside are loaded.</summary>
         public void RecordLoad(CommandBuffer cmd, CellState state)
         {
-            using (Sample(cmd))
-            {
-                Bind(cmd, begin, state);
-                begin.SetInt(cmd, LoadedCount, state.LoadedCount);
-                begin.DispatchThreads(cmd, 1);
-            }
+            Bind(cmd, begin, state);
+            begin.SetInt(cmd, LoadedCount, state.LoadedCount);
+            begin.DispatchThreads(cmd, 1);
         }
 
-        /// <summary>Where a table of all cells is scanned.</summary>
+        /// <summary>Where a table of all cells is scanned. Each sort has one sample of the pass: benchmarks count them.</summary>
         public void Record(CommandBuffer cmd, CellState state)
         {
             SparseCells sparse = state.Sparse;
@@ -65,13 +62,10 @@ namespace SphFluid
         /// <summary>For readers of published particles.</summary>
         public void RecordPublish(CommandBuffer cmd, CellState state)
         {
-            using (Sample(cmd))
-            {
-                publish.Set(cmd, state.Buffers.CellTable);
-                publish.SetOut(cmd, state.Published.GridIndices);
-                SetSizes(cmd, publish, state);
-                publish.DispatchThreads(cmd, Math.Max(state.Sparse.Words, SparseCells.Entries(state.Capacity)));
-            }
+            publish.Set(cmd, state.Buffers.CellTable);
+            publish.SetOut(cmd, state.Published.GridIndices);
+            SetSizes(cmd, publish, state);
+            publish.DispatchThreads(cmd, Math.Max(state.Sparse.Words, SparseCells.Entries(state.Capacity)));
         }
 
         private static void Mark(CommandBuffer cmd, ComputeKernel kernel, CellState state, int sums)

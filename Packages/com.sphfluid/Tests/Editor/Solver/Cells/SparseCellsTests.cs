@@ -164,7 +164,7 @@ namespace SphFluid.Tests
                 {
                     rig.Steps(60);
                     FluidStatistics found = meter.MeasureNow();
-                    Assert.That((found.Misplaced, found.Listed), Is.EqualTo((0, found.ParticleCount)));
+                    Assert.That((found.Misplaced, found.Listed), Is.EqualTo((0, (long)found.ParticleCount)));
                     Assert.That(found.MaxCellCount, Is.GreaterThan(5));
                     return new[] { (ulong)found.MaxCellCount, (ulong)found.ParticleCount, (ulong)found.MaxNeighbours };
                 }
