@@ -1,8 +1,8 @@
 #ifndef SPHFLUID_GRID_CELLS
 #define SPHFLUID_GRID_CELLS
 
-// Particles of a cell of the published grid, [first, end); first is end where there are none. The buffer has a range for each cell, x first,
-// then y, then z: the first begins with particle 0. Where the domain has too many cells it has those with particles only
+// Particles of a cell of the published grid, [first, end); first is end where there are none. The buffer has a range for each cell, x
+// first, then y, then z: the first begins with particle 0. Where the domain has too many cells it has those with particles only
 // (Solver/Cells/SparseCells.hlsl, PublishRanks in Solver/Cells/RankCells.compute), and as its first element
 //   x   words: the elements that come next. Each has a bit for a strip of 32 cells, numbered with a border of one, and how many come
 //       before them; behind them stand as many elements with a bit for each cell of a strip, and again how many come before

@@ -205,8 +205,8 @@ namespace SphFluid.Validation
             FluidGrid grid = solver.Grid;
             if (solver.GridIndices.count != grid.CellCount)
             {
-                throw new NotSupportedException($"The audit reads a range for each cell, but this domain has so many ({grid.CellCount:N0}) " +
-                    "that only those with particles are stored. Audit the same liquid in a smaller domain.");
+                throw new NotSupportedException($"The audit reads a range for each cell, but this domain has {grid.CellCount:N0} and " +
+                    "stores only those with particles. Audit the same liquid in a smaller domain.");
             }
             var ranges = new uint[2 * grid.CellCount];
             solver.GridIndices.GetData(ranges);

@@ -57,11 +57,11 @@ namespace SphFluid
         /// <summary>Makes a buffer with an element a particle, which <see cref="Resize"/> makes larger, and some more.</summary>
         /// <exception cref="FluidDeviceException">The device has too little memory for a buffer of this size.</exception>
         protected FluidBuffer AddForEach(string name, int particleCount, int stride, long more = 0) =>
-            AddForEach(name, particleCount, stride, particles => particles + more);
+            AddFor(name, particleCount, stride, particles => particles + more);
 
         /// <summary>Makes a buffer whose length goes with the number of particles.</summary>
         /// <exception cref="FluidDeviceException">The device has too little memory for a buffer of this size.</exception>
-        protected FluidBuffer AddForEach(string name, int particleCount, int stride, Func<int, long> count)
+        protected FluidBuffer AddFor(string name, int particleCount, int stride, Func<int, long> count)
         {
             FluidBuffer buffer = Add(name, count(particleCount), stride);
             forEach.Add((buffer, count));
@@ -69,7 +69,8 @@ namespace SphFluid
         }
 
         /// <summary>
-        /// Makes the buffers of <see cref="AddForEach"/> anew for another number of particles; all of them, or none where one is too large.
+        /// Makes the buffers of <see cref="AddForEach"/> and <see cref="AddFor"/> anew for another number of particles; all of them, or
+        /// none where one is too large.
         /// </summary>
         /// <param name="particleCount">Number of particles.</param>
         /// <param name="replaced">Receives what they held, for the caller to copy from and to dispose.</param>

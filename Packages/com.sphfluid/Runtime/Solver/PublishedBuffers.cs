@@ -28,7 +28,7 @@ namespace SphFluid
         {
             Particles = AddForEach("Particles", particleCount, FluidParticle.Stride);
             const int stride = 2 * sizeof(uint);
-            GridIndices = sparse.AreUsed ? AddForEach("GridIndices", particleCount, stride, sparse.PublishedCount)
+            GridIndices = sparse.AreUsed ? AddFor("GridIndices", particleCount, stride, sparse.PublishedCount)
                 : Add("GridIndices", cellCount, stride);
             GridIndices.SetData(new uint[2]); // the cells of a method that leaves out some are told by the first
             Density = AddForEach("Density", particleCount, sizeof(float));

@@ -70,7 +70,7 @@ namespace SphFluid
             this.sparse = sparse;
             CellTotal = sparse.AreUsed ? 0 : cellCount + 1;
             SumCount = CellRows.ScanSums(CellTotal);
-            CellTable = AddForEach("CellTable", particleCount, 4, particles => RanksBegin(particles) + particles);
+            CellTable = AddFor("CellTable", particleCount, 4, particles => RanksBegin(particles) + particles);
             Divide(particleCount);
         }
 

@@ -19,7 +19,7 @@ namespace SphFluid
         /// Most cells, border included, besides those that left the domain: their numbers are whole numbers of 32 bits with a sign. Above
         /// <see cref="SparseCells.MostDense"/> only those with particles are stored.
         /// </summary>
-        public const int MaxCells = int.MaxValue - 1;
+        public const int MaxCells = 2147483646;
 
         /// <summary>Cells of the border along an axis, both ends.</summary>
         internal const int Border = 2;

@@ -1,4 +1,5 @@
 using System;
+using UnityEngine;
 using UnityEngine.Rendering;
 
 namespace SphFluid
@@ -8,7 +9,6 @@ namespace SphFluid
     {
         private static readonly int Words = Id("_Words");
         private static readonly int Entries = Id("_Entries");
-        private static readonly int LoadedCount = Id("_LoadedCount");
         private static readonly int ScanCount = Id("_ScanCount");
         private static readonly int ScanBegin = Id("_ScanBegin");
         private static readonly int ScanStride = Id("_ScanStride");
@@ -16,12 +16,11 @@ namespace SphFluid
         private static readonly int ScanTotal = Id("_ScanTotal");
         private static readonly int CountsBits = Id("_CountsBits");
 
-        private readonly ComputeKernel begin, clear, markStrips, markCells, count, scan, publish;
+        private readonly ComputeKernel clear, markStrips, markCells, count, scan, publish;
 
         public RankCellsPass(FluidShaderSet shaders)
             : base(shaders, "RankCells")
         {
-            begin = Kernel("BeginRanks");
             clear = Kernel("ClearRanks");
             markStrips = Kernel("MarkStrips");
             markCells = Kernel("MarkCells");
@@ -33,9 +32,7 @@ namespace SphFluid
         /// <summary>Before particles that came from outside are loaded.</summary>
         public void RecordLoad(CommandBuffer cmd, CellState state)
         {
-            Bind(cmd, begin, state);
-            begin.SetInt(cmd, LoadedCount, state.LoadedCount);
-            begin.DispatchThreads(cmd, 1);
+            cmd.SetBufferData((GraphicsBuffer)state.Buffers.CellTable, SparseCells.HeadOf(state.Sparse.Words, state.LoadedCount));
         }
 
         /// <summary>Where a table of all cells is scanned. Each sort has one sample of the pass: benchmarks count them.</summary>

@@ -3,9 +3,9 @@ using System;
 namespace SphFluid
 {
     /// <summary>
-    /// Whether a liquid stores all cells or those with particles only, and how the latter lie in the table of the cells and in the published
-    /// ranges: Shaders/Solver/Cells/SparseCells.hlsl and Shaders/GridCells.hlsl. Strips and cells with particles are no more than particles,
-    /// so the room that there is for them is always enough.
+    /// Whether a liquid stores all cells or those with particles only, and how the latter lie in the table of the cells and in the
+    /// published ranges: Shaders/Solver/Cells/SparseCells.hlsl and Shaders/GridCells.hlsl. Strips and cells with particles are no more than
+    /// particles, so the room that there is for them is always enough.
     /// </summary>
     internal readonly struct SparseCells
     {
@@ -24,8 +24,8 @@ namespace SphFluid
         private SparseCells(int words) => Words = words;
 
         /// <summary>
-        /// Most cells, border included, of which all are stored. Up to there a search finds a cell by one load where it takes three of those
-        /// with particles.
+        /// Most cells, border included, of which all are stored. Up to there a search finds a cell by one load where it takes three of
+        /// those with particles.
         /// </summary>
         [OutlivesPlay("only tests change it, and put it back")] internal static int MostDense { get; set; } = DefaultMostDense;
 
@@ -39,6 +39,9 @@ namespace SphFluid
         /// <param name="cellCount">Cells, border included.</param>
         public static SparseCells For(int cellCount) =>
             new SparseCells(cellCount > MostDense ? (int)((cellCount + (CellsPerWord - 1L)) / CellsPerWord) : 0);
+
+        /// <summary>The first numbers of a table whose particles are all new: none of them was sorted before.</summary>
+        public static uint[] HeadOf(int words, int newCount) => new[] { (uint)words, 0u, 0u, (uint)newCount };
 
         /// <summary>Where the entries begin in the table.</summary>
         public long EntriesBegin => Head + 2L * Words;

@@ -111,7 +111,7 @@ uint SortedCell(uint id, bool isAsked)
 
 int3 CellOf(uint number)
 {
-    const uint3 counts = uint3(_CellCounts);
+    const uint3 counts = uint3(_CellCounts.xyz);
     return int3(uint3(number % counts.x, number / counts.x % counts.y, number / (counts.x * counts.y)));
 }
 

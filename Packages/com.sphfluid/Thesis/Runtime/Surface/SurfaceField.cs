@@ -34,8 +34,8 @@ namespace SphFluid
             if ((double)sides.x * sides.y * sides.z > MostNamedVertices)
             {
                 throw new ArgumentException(
-                    $"A surface field of {grid.Cells.x} x {grid.Cells.y} x {grid.Cells.z} cells has more edges than 32 bits can name. Choose " +
-                    "larger cells or a smaller domain.", nameof(grid));
+                    $"A surface field of {grid.Cells.x} x {grid.Cells.y} x {grid.Cells.z} cells has more edges than 32 bits can name. " +
+                    "Choose larger cells or a smaller domain.", nameof(grid));
             }
             Grid = grid;
             if (GpuBytes > SystemInfo.maxGraphicsBufferSize)

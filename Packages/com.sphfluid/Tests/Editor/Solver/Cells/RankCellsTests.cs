@@ -63,7 +63,8 @@ namespace SphFluid.Tests
                 int filled = cellOf.Where(cell => cell >= 0).Distinct().Count();
                 int strips = cellOf.Where(cell => cell >= 0).Select(cell => cell / 32).Distinct().Count();
                 uint live = starts[cells.CellCount];
-                Assert.That(table.Take(6), Is.EqualTo(new[] { (uint)rig.State.Sparse.Words, live, (uint)count, 0u, (uint)strips, (uint)filled }));
+                var head = new[] { (uint)rig.State.Sparse.Words, live, (uint)count, 0u, (uint)strips, (uint)filled };
+                Assert.That(table.Take(6), Is.EqualTo(head));
                 var sparse = new StoredCells(table);
                 for (int cell = 0; cell < cells.CellCount; cell++)
                 {
@@ -72,10 +73,13 @@ namespace SphFluid.Tests
                 int[] inOrder = cellOf.Where(cell => cell >= 0).Distinct().OrderBy(cell => cell).ToArray();
                 Assert.That(Enumerable.Range(0, filled).Select(sparse.NumberOf), Is.EqualTo(inOrder), "numbers of the stored cells");
                 uint[] ranks = buffers.Rank.Read<uint>(count);
-                foreach (IGrouping<int, int> cell in Enumerable.Range(0, count).Where(i => cellOf[i] >= 0).GroupBy(i => cellOf[i]))
-                    Assert.That(cell.Select(i => (int)ranks[i]), Is.EquivalentTo(Enumerable.Range(0, cell.Count())), $"ranks in {cell.Key}");
-
-                int[] sorted = Enumerable.Range(0, count).Where(i => cellOf[i] >= 0).OrderBy(i => cellOf[i]).ThenBy(i => ids[i]).ToArray();
+                int[] stays = Enumerable.Range(0, count).Where(i => cellOf[i] >= 0).ToArray();
+                foreach (IGrouping<int, int> cell in stays.GroupBy(i => cellOf[i]))
+                {
+                    Assert.That(cell.Select(i => (int)ranks[i]), Is.EquivalentTo(Enumerable.Range(0, cell.Count())),
+                        $"ranks in {cell.Key}");
+                }
+                int[] sorted = stays.OrderBy(i => cellOf[i]).ThenBy(i => ids[i]).ToArray();
                 Assert.That(GpuTest.Read<Vector4>(buffers.Velocities, sorted.Length).Select(v => StandardStateRig.ToBits(v.w)),
                     Is.EqualTo(sorted.Select(i => ids[i])), "the order of the particles");
 
@@ -83,7 +87,8 @@ namespace SphFluid.Tests
                 var published = new PublishedCells(rig.State);
                 for (int i = 0; i < grid.CellCount; i++)
                 {
-                    Vector3Int at = new Vector3Int(i % grid.Counts.x, i / grid.Counts.x % grid.Counts.y, i / (grid.Counts.x * grid.Counts.y));
+                    int row = i / grid.Counts.x;
+                    var at = new Vector3Int(i % grid.Counts.x, row % grid.Counts.y, row / grid.Counts.y);
                     int number = StandardStateRig.Number(cells, at + Vector3Int.one);
                     var expected = new Vector2Int((int)starts[number], (int)starts[number + 1]);
                     if (published.Range(number) != expected) Assert.Fail($"cell {at} has {published.Range(number)}, not {expected}");
@@ -132,7 +137,8 @@ namespace SphFluid.Tests
                 case Places.OneCell:
                     return new Vector3Int(20, 11, 5);
                 case Places.Corners:
-                    return new Vector3Int(random.Next(2) == 0 ? 1 : last.x, random.Next(2) == 0 ? 1 : last.y, random.Next(2) == 0 ? 1 : last.z);
+                    int End(int far) => random.Next(2) == 0 ? 1 : far;
+                    return new Vector3Int(End(last.x), End(last.y), End(last.z));
                 case Places.Row:
                     return new Vector3Int(1 + random.Next(last.x), 7, last.z);
                 default:

@@ -135,8 +135,11 @@ namespace SphFluid.Tests
                     rig.Solver.Exchange.SetDrains(new[] { (drain, 0) });
                     for (int turn = 0; turn < 8; turn++)
                     {
+                        BirthQueue births = rig.Solver.Exchange.Births;
                         foreach (Vector3 site in sites)
-                            rig.Solver.Exchange.Births.Add(site, new Vector3(-1f, -2f, 0.3f), rig.Solver.SimulatedTime, SourceCounts.Added);
+                        {
+                            births.Add(site, new Vector3(-1f, -2f, 0.3f), rig.Solver.SimulatedTime, SourceCounts.Added);
+                        }
                         rig.Steps(7);
                     }
                     FluidCounters counters = rig.Solver.ReadCountersNow();

@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>A table of the cells with particles, read as it is described in SparseCells.hlsl, by the list of the cells that it names.</summary>
+    /// <summary>A table of the cells with particles, as SparseCells.hlsl describes it, by the list of the cells that it names.</summary>
     internal sealed class StoredCells
     {
         private readonly uint[] table;
