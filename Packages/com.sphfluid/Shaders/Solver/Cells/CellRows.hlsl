@@ -95,13 +95,13 @@ uint SortedCell(uint id, bool isAsked)
     const uint words = isAsked ? CELL_TABLE[SPARSE_WORDS] : 0u;
     const bool isSparse = words != 0u;
     const uint begin = isSparse ? SparseEntry(words, 0u) + SPARSE_START : 0u;
-    const uint stride = isSparse ? SPARSE_ENTRY : 1u;
+    const uint shift = isSparse ? SPARSE_ENTRY : 0u;
     uint cell = 0u;
     uint end = isSparse ? CELL_TABLE[SPARSE_CELLS] : isAsked ? RemovedCell() : 0u;
     while (end > cell + 1u)
     {
         const uint middle = (cell + end) / 2u;
-        const bool begins = CELL_TABLE[begin + stride * middle] <= id;
+        const bool begins = CELL_TABLE[begin + (middle << shift)] <= id;
         cell = begins ? middle : cell;
         end = begins ? end : middle;
     }

@@ -18,7 +18,7 @@
 #define SPARSE_STRIPS 4u
 #define SPARSE_CELLS 5u
 #define SPARSE_HEAD 8u
-#define SPARSE_ENTRY 4u
+#define SPARSE_ENTRY 2u // four numbers, as a shift
 #define SPARSE_START 2u  // in an entry
 #define SPARSE_NUMBER 3u
 
@@ -30,7 +30,7 @@ uint BitsBefore(uint bit)
 
 uint SparseEntry(uint words, uint number)
 {
-    return SPARSE_HEAD + 2u * words + SPARSE_ENTRY * number;
+    return SPARSE_HEAD + 2u * words + (number << SPARSE_ENTRY);
 }
 
 // Where a strip is stored, or the next that is. Whether it is itself: the bit.
