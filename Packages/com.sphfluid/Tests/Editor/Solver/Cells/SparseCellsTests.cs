@@ -15,10 +15,10 @@ namespace SphFluid.Tests
         private static readonly Vector3 Domain = new Vector3(1f, 1.2f, 0.8f);
 
         // Words of a table of all cells are none.
-        [TestCase(4194304, 0)]
-        [TestCase(4194305, 4097)]
-        [TestCase(4195328, 4097)]
-        [TestCase(4195329, 4098)]
+        [TestCase(1048576, 0)]
+        [TestCase(1048577, 1025)]
+        [TestCase(1049600, 1025)]
+        [TestCase(1049601, 1026)]
         [TestCase(int.MaxValue - 1, 2097152)]
         public void TheNumberOfCellsDecides(int cells, int words) => Assert.That(SparseCells.For(cells).Words, Is.EqualTo(words));
 
