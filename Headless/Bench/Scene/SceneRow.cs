@@ -15,8 +15,8 @@ internal sealed class SceneRow
         Surface = Sum(f => f.Time(PassGroup.Surface));
         Drawing = Sum(f => f.Time(PassGroup.Drawing));
         Steps = Sum(f => f.Steps);
-        // Whatever orders particles anew scans the cells once.
-        Rebuilds = Sum(f => f.Times("ScanCells"));
+        // Whatever orders particles anew scans the cells once, or ranks those with particles.
+        Rebuilds = Sum(f => f.Times("ScanCells") + f.Times("RankCells"));
         Dispatches = Sum(f => f.Dispatches ?? double.NaN);
         Processor = Sum(f => f.Processor);
         if (other is null) return;

@@ -12,7 +12,7 @@ internal sealed class FxcBudget(string packageRoot)
     /// </summary>
     public const int MaxKilobytes = 130_000;
 
-    public const int MaxVariants = 208, MaxSharedBytes = 16 * 1024;
+    public const int MaxVariants = 213, MaxSharedBytes = 16 * 1024;
 
     // What Unity imports with the product and compiles for a player; tests' kernels stay in the source tree.
     private const string Shipped = "Shaders/";
@@ -27,7 +27,10 @@ internal sealed class FxcBudget(string packageRoot)
         // the gradient correction adds two products of matrices to each pair.
         ["MoveParticles"] = 2420,
         ["GatherWalls"] = 2420, // planes of three turns, sums over edges with their Hessian, far triangles passed over; bodies that stretch and float
-        ["ResolveContacts"] = 1820, // four kinds of bodies; those that deform are followed through a step; rectangles by the area they cover
+        ["ResolveContacts"] = 1830, // four kinds of bodies; those that deform are followed through a step; rectangles by the area they cover
+        // A cell is found in a table of all or of those with particles, by each of the two that search.
+        ["ConstrainDensity"] = 1400,
+        ["MoveByConstraints"] = 1410,
         // 27 samples a thread in registers through nested loops, two filters.
         ["SampleBlocks"] = 1600,
         // Light is followed to the scene, mirrored by panes and carried on behind; the scene's picture may be coarser than its depth.

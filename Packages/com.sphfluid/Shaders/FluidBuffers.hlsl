@@ -4,6 +4,8 @@
 #ifndef SPHFLUID_FLUID_BUFFERS
 #define SPHFLUID_FLUID_BUFFERS
 
+#include "GridCells.hlsl"
+
 // Mirrored by FluidParticle.cs; 48 bytes.
 struct FluidParticle
 {
@@ -16,7 +18,7 @@ struct FluidParticle
 };
 
 StructuredBuffer<FluidParticle> _FluidParticles; // live ones first, sorted by cell
-StructuredBuffer<uint2> _FluidCells;             // [first, end) of each cell's particles
+StructuredBuffer<uint2> _FluidCells;             // [first, end) of each cell's particles: ask FluidParticlesOfCell
 StructuredBuffer<float> _FluidDensities;         // kg/m^3, in the order of the particles
 StructuredBuffer<float> _FluidPressures;         // Pa, in the order of the particles
 uint _FluidParticleCount;   // entries of _FluidParticles to look at, 1 or more, some removed
@@ -63,6 +65,14 @@ float3 FluidSeparation(float3 position, float3 from)
     return d - (_FluidPeriod > 0.0 ? _FluidPeriod * round(d / max(_FluidPeriod, 1e-30)) : float3(0.0, 0.0, 0.0));
 }
 
+SPHFLUID_CELL_RANGE(FluidRangeOfCell, _FluidCells)
+
+// Particles of a cell, [first, end).
+uint2 FluidParticlesOfCell(int3 cell)
+{
+    return FluidRangeOfCell(cell, int3(_FluidCellCounts));
+}
+
 // Cells that a ball touches: a box of them, which may go on at the opposite face of a periodic axis.
 struct FluidCellBox
 {
@@ -92,9 +102,7 @@ uint2 FluidCellRange(FluidCellBox box, uint k)
     const uint3 counts = uint3(box.Counts);
     const float3 cell = float3(box.First + int3(uint3(k % counts.x, k / counts.x % counts.y, k / (counts.x * counts.y))));
     const float3 wrapped = clamp(cell - _FluidCellCounts * floor((cell + 0.5) / _FluidCellCounts), 0.0, _FluidCellCounts - 1.0);
-    const int3 at = int3(wrapped);
-    const int3 cells = int3(_FluidCellCounts);
-    return _FluidCells[uint(at.x + cells.x * (at.y + cells.y * at.z))];
+    return FluidParticlesOfCell(int3(wrapped));
 }
 
 // Every particle j of the cells that a ball of any radius touches, one at its centre too; all are alive. Whether j is within the radius is

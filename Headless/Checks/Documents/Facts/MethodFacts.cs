@@ -59,7 +59,8 @@ internal sealed class MethodFacts
             "particle" => Each(p => State(p)),
             "walls" => Each(p => State(p, withWalls: true)) - Each(p => State(p)),
             "list" => Each(p => program.Make("NeighbourList", p, program.CallOf("NeighbourList", "LengthFor", Settings(method, 1f)), true)),
-            "cell" => Math.Round((Of(State(Particles, size: 6f)) - Of(State(Particles, size: 4f))) / (Cells(6f) - Cells(4f))),
+            // Small enough that all cells are stored.
+            "cell" => Math.Round((Of(State(Particles, size: 4f)) - Of(State(Particles, size: 3f))) / (Cells(4f) - Cells(3f))),
             _ => throw new UnknownFactException($"'{part}' is none of particle, list, walls and cell"),
         };
 

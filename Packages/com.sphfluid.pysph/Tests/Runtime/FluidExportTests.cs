@@ -112,7 +112,7 @@ namespace SphFluid.Tests
         [TestCase(FluidStartRelaxation.Packed, true)]
         public void AnotherMachineHoldsADomainOfMoreCells(FluidStartRelaxation relaxation, bool isToldOf)
         {
-            simulation.DomainSize = 40f * Vector3.one;
+            simulation.DomainSize = 400f * Vector3.one;
             simulation.StartRelaxation = relaxation;
             Assert.That(simulation.Validate().Any(m => m.Issue == FluidIssue.TooManyCells), Is.True);
 

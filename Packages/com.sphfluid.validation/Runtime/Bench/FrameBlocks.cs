@@ -17,7 +17,7 @@ namespace SphFluid.Validation
         public const string Frame = "BenchFrame";
 
         /// <summary>The first pass of every method's neighbour setup.</summary>
-        public static readonly IReadOnlyList<string> Setup = new[] { "CalculateParticleCellValue", "ScanCells" };
+        public static readonly IReadOnlyList<string> Setup = new[] { "CalculateParticleCellValue", "ScanCells", "RankCells" };
 
         /// <summary>One a block of the thesis, and one a drawing, in the order of a frame.</summary>
         public static readonly IReadOnlyList<BenchBlock> Thesis = new[]
@@ -47,7 +47,7 @@ namespace SphFluid.Validation
         {
             new BenchBlock("sort", "CalculateParticleCellValue", "BitonicSort", "FusedBitonicSort", "ResetGridIndices", "SetGridIndices",
                 "SortParticles",
-                "ScanCells", "ScatterParticles"),
+                "ScanCells", "RankCells", "ScatterParticles"),
             new BenchBlock("density", "CalculateDensity", "StandardDensity", "ConstrainDensity"),
             new BenchBlock("motion", "CalculateForce", "CalculateAcceleration", "CalculateNewPosition", "MoveParticles",
                 "PredictParticles", "MoveByConstraints", "FinishParticles"),

@@ -203,6 +203,11 @@ namespace SphFluid.Validation
         private static int CountWrongCells(FluidSolver solver, Vector3[] positions)
         {
             FluidGrid grid = solver.Grid;
+            if (solver.GridIndices.count != grid.CellCount)
+            {
+                throw new NotSupportedException($"The audit reads a range for each cell, but this domain has {grid.CellCount:N0} and " +
+                    "stores only those with particles. Audit the same liquid in a smaller domain.");
+            }
             var ranges = new uint[2 * grid.CellCount];
             solver.GridIndices.GetData(ranges);
             var covered = new bool[positions.Length];

@@ -10,6 +10,7 @@ namespace SphFluid
         private static readonly int Density = Id("_Density");
         private static readonly int Pressure = Id("_Pressure");
         private static readonly int ParticleCount = Id("_ParticleCount");
+        private static readonly int FirstRange = Id("_FirstRange");
         private static readonly int CellCount = Id("_CellCount");
         private static readonly int GroupCount = Id("_GroupCount");
         private static readonly int RestDensity = Id("_RestDensity");
@@ -44,7 +45,8 @@ namespace SphFluid
                 kernel.SetBuffer(cmd, Pressure, solver.Pressure);
                 kernel.SetBuffer(cmd, Statistics, records);
                 kernel.SetInt(cmd, ParticleCount, solver.ParticleCount);
-                kernel.SetInt(cmd, CellCount, solver.Grid.CellCount);
+                kernel.SetInt(cmd, FirstRange, solver.CellRanges.First);
+                kernel.SetInt(cmd, CellCount, solver.CellRanges.Count);
                 kernel.SetInt(cmd, GroupCount, Groups(solver.ParticleCount));
                 kernel.SetFloat(cmd, RestDensity, settings.RestDensity);
                 kernel.SetFloat(cmd, Spacing, settings.Spacing);

@@ -12,7 +12,7 @@ namespace SphFluid
 
         private readonly bool isPlanned;
         private readonly List<FluidBuffer> buffers = new List<FluidBuffer>();
-        private readonly List<(FluidBuffer buffer, long more)> forEach = new List<(FluidBuffer, long)>();
+        private readonly List<(FluidBuffer buffer, Func<int, long> count)> forEach = new List<(FluidBuffer, Func<int, long>)>();
 
         /// <param name="isPlanned">Whether only the sizes are asked for: no memory is taken.</param>
         protected BufferSet(bool isPlanned = false) => this.isPlanned = isPlanned;
@@ -56,25 +56,31 @@ namespace SphFluid
 
         /// <summary>Makes a buffer with an element a particle, which <see cref="Resize"/> makes larger, and some more.</summary>
         /// <exception cref="FluidDeviceException">The device has too little memory for a buffer of this size.</exception>
-        protected FluidBuffer AddForEach(string name, int particleCount, int stride, long more = 0)
+        protected FluidBuffer AddForEach(string name, int particleCount, int stride, long more = 0) =>
+            AddFor(name, particleCount, stride, particles => particles + more);
+
+        /// <summary>Makes a buffer whose length goes with the number of particles.</summary>
+        /// <exception cref="FluidDeviceException">The device has too little memory for a buffer of this size.</exception>
+        protected FluidBuffer AddFor(string name, int particleCount, int stride, Func<int, long> count)
         {
-            FluidBuffer buffer = Add(name, particleCount + more, stride);
-            forEach.Add((buffer, more));
+            FluidBuffer buffer = Add(name, count(particleCount), stride);
+            forEach.Add((buffer, count));
             return buffer;
         }
 
         /// <summary>
-        /// Makes the buffers of <see cref="AddForEach"/> anew for another number of particles; all of them, or none where one is too large.
+        /// Makes the buffers of <see cref="AddForEach"/> and <see cref="AddFor"/> anew for another number of particles; all of them, or
+        /// none where one is too large.
         /// </summary>
         /// <param name="particleCount">Number of particles.</param>
         /// <param name="replaced">Receives what they held, for the caller to copy from and to dispose.</param>
         /// <exception cref="FluidDeviceException">The device has too little memory for a buffer of this size.</exception>
-        public void Resize(int particleCount, ICollection<IDisposable> replaced)
+        public virtual void Resize(int particleCount, ICollection<IDisposable> replaced)
         {
             var made = new List<GraphicsBuffer>();
             try
             {
-                foreach ((FluidBuffer buffer, long more) in forEach) made.Add(buffer.Another(particleCount + more));
+                foreach ((FluidBuffer buffer, Func<int, long> count) in forEach) made.Add(buffer.Another(count(particleCount)));
             }
             catch
             {

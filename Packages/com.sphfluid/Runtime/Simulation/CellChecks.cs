@@ -6,7 +6,8 @@ using static System.FormattableString;
 namespace SphFluid
 {
     /// <summary>
-    /// Rules about the size of the neighbour grid: its memory goes with the domain's volume over R³, whether there is liquid or not.
+    /// Rules about the size of the neighbour grid. Up to <see cref="SparseCells.MostDense"/> its memory goes with the domain's volume over
+    /// R³, whether there is liquid or not, and with some methods beyond that as well.
     /// </summary>
     internal static class CellChecks
     {
@@ -35,7 +36,8 @@ namespace SphFluid
 
         /// <summary>Most cells that a method may have on this device.</summary>
         public static long Most(FluidMethodKind method) =>
-            Math.Min(FluidMethods.Get(method).MaxCells, (long)(SystemInfo.maxGraphicsBufferSize / CellRows.BytesPerCell));
+            !FluidMethods.Get(method).StoresEmptyCells ? FluidMethods.Get(method).MaxCells
+                : Math.Min(FluidMethods.Get(method).MaxCells, (long)(SystemInfo.maxGraphicsBufferSize / CellRows.BytesPerCell));
 
         /// <summary>Least spacing at which the domain's cells are few enough [m].</summary>
         public static float FittingSpacing(in FluidSpec spec)

@@ -50,7 +50,8 @@ namespace SphFluid
         public GraphicsBuffer Pressures => Solver.Pressure;
 
         /// <summary>
-        /// First and end of each cell's particles in <see cref="Particles"/>, uint2 a cell of <see cref="Grid"/>; _FluidCells.
+        /// First and end of each cell's particles in <see cref="Particles"/>, uint2 a cell of <see cref="Grid"/>; _FluidCells. In a domain
+        /// of very many cells it has only those with particles: FluidParticlesOfCell of Shaders/FluidBuffers.hlsl reads both.
         /// </summary>
         /// <exception cref="InvalidOperationException">The liquid was stopped, or these are the buffers of none.</exception>
         public GraphicsBuffer Cells => Solver.GridIndices;

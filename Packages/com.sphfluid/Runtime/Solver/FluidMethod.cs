@@ -28,6 +28,9 @@ namespace SphFluid
         /// <summary>Most cells of its neighbour search.</summary>
         public abstract long MaxCells { get; }
 
+        /// <summary>Whether a cell takes memory without particles too, however many there are.</summary>
+        public virtual bool StoresEmptyCells => true;
+
         /// <summary>Constants by rule.</summary>
         /// <exception cref="ArgumentException">An input is out of range.</exception>
         public abstract FluidSolverSettings Derive(in FluidRuleInput input);

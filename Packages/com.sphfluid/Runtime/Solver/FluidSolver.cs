@@ -104,8 +104,13 @@ namespace SphFluid
 
         /// <summary>
         /// First and end of each cell's particles in <see cref="Particles"/>, uint2 a cell, as of the last neighbour setup.
+        /// In a domain of very many cells it has only those with particles: Shaders/GridCells.hlsl.
         /// </summary>
         public GraphicsBuffer GridIndices => state.Published.GridIndices;
+
+        /// <summary>The first of the ranges of cells in <see cref="GridIndices"/>, and their number.</summary>
+        internal (int First, int Count) CellRanges =>
+            state.Sparse.AreUsed ? state.Sparse.PublishedRanges(state.Capacity) : (0, Grid.CellCount);
 
         /// <summary>Steps recorded since the start.</summary>
         public long StepCount => recorder.StepCount;

@@ -18,11 +18,13 @@ namespace SphFluid
         /// <param name="settings">The physics.</param>
         /// <param name="particleCount">Slots for particles.</param>
         /// <param name="isPlanned">Whether only the buffers' sizes are asked for: no memory is taken, and nothing can be recorded.</param>
-        protected FluidState(in FluidSolverSettings settings, int particleCount, bool isPlanned)
+        /// <param name="sparse">Whether the published cells are those with particles only, and how these are stored.</param>
+        protected FluidState(in FluidSolverSettings settings, int particleCount, bool isPlanned, SparseCells sparse = default)
         {
             Settings = settings;
             Grid = FluidGrid.For(settings);
-            Published = new PublishedBuffers(particleCount, Grid.CellCount, isPlanned);
+            Sparse = sparse;
+            Published = new PublishedBuffers(particleCount, Grid.CellCount, sparse, isPlanned);
             Capacity = ParticleCount = LoadedCount = particleCount;
             SetTriangles(null, null, 0);
         }
@@ -32,6 +34,9 @@ namespace SphFluid
 
         /// <summary>The grid over the domain, by which readers find neighbours.</summary>
         public FluidGrid Grid { get; }
+
+        /// <summary>How cells are stored where only those with particles are.</summary>
+        public SparseCells Sparse { get; }
 
         /// <summary>What readers see.</summary>
         public PublishedBuffers Published { get; }

@@ -9,7 +9,7 @@ namespace SphFluid
         /// <summary>Particles in the order of the last sort, <see cref="FluidParticle"/>, live ones first.</summary>
         public readonly FluidBuffer Particles;
 
-        /// <summary>First and end of each cell's particles, uint2.</summary>
+        /// <summary>First and end of each cell's particles, uint2, or of those that have any: Shaders/GridCells.hlsl.</summary>
         public readonly FluidBuffer GridIndices;
 
         /// <summary>Density of each particle [kg/m³].</summary>
@@ -24,10 +24,13 @@ namespace SphFluid
         /// <summary>An element to bind where the scene has no triangles, and one where it has no meshes.</summary>
         public readonly FluidBuffer NoTriangles, NoColliders;
 
-        public PublishedBuffers(int particleCount, int cellCount, bool isPlanned = false) : base(isPlanned)
+        public PublishedBuffers(int particleCount, int cellCount, SparseCells sparse, bool isPlanned = false) : base(isPlanned)
         {
             Particles = AddForEach("Particles", particleCount, FluidParticle.Stride);
-            GridIndices = Add("GridIndices", cellCount, 2 * sizeof(uint));
+            const int stride = 2 * sizeof(uint);
+            GridIndices = sparse.AreUsed ? AddFor("GridIndices", particleCount, stride, sparse.PublishedCount)
+                : Add("GridIndices", cellCount, stride);
+            GridIndices.SetData(new uint[2]); // the cells of a method that leaves out some are told by the first
             Density = AddForEach("Density", particleCount, sizeof(float));
             Pressure = AddForEach("Pressure", particleCount, sizeof(float));
             Counters = Add("Counters", CounterReadback.Slots, sizeof(uint));

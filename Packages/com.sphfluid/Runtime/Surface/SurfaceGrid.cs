@@ -12,8 +12,8 @@ namespace SphFluid
         /// <summary>Most cells a side of a grid with as many along each axis.</summary>
         public const int MaximumCells = 1024;
 
-        // Three grid edges start at each vertex, two layers of the ring's included; their names are 32 bits long.
-        private const double MostNamedVertices = uint.MaxValue / 3;
+        // A table of the sparse surface has a number of four bytes for each block of 8³ cubes: 2 GiB.
+        private const double MostBlocks = 1 << 29, CubesPerSide = 8.0;
 
         /// <summary>A grid over a box, with the same number of cells along each axis.</summary>
         /// <param name="minimum">Lowest corner of the box [m], simulation space.</param>
@@ -34,8 +34,7 @@ namespace SphFluid
         /// <summary>A grid over a box.</summary>
         /// <param name="minimum">Lowest corner of the box [m], simulation space.</param>
         /// <param name="size">Edges of the box [m], each greater than zero.</param>
-        /// <param name="cells">Cells along each axis, one or more; 3 times the product of (cells + 3) fits into 32
-        /// bits.</param>
+        /// <param name="cells">Cells along each axis, one or more; of blocks of 8³ cubes there are 2²⁹ at most.</param>
         /// <exception cref="ArgumentOutOfRangeException">An edge is not a positive number, or a number of cells is out
         /// of range.</exception>
         public SurfaceGrid(Vector3 minimum, Vector3 size, Vector3Int cells)
@@ -72,6 +71,7 @@ namespace SphFluid
         public Vector3 CellSize => new Vector3(Size.x / Cells.x, Size.y / Cells.y, Size.z / Cells.z);
 
         /// <summary>Number of grid vertices.</summary>
+        /// <exception cref="OverflowException">There are more than an index can name, as a sparse surface may have.</exception>
         public int VertexCount => Product(Vertices);
 
         /// <summary>
@@ -81,6 +81,7 @@ namespace SphFluid
         public Vector3Int Cubes => Cells + 2 * Vector3Int.one;
 
         /// <summary>Number of cubes of marching cubes.</summary>
+        /// <exception cref="OverflowException">There are more than an index can name, as a sparse surface may have.</exception>
         public int CubeCount => Product(Cubes);
 
         /// <summary>The grid over the domain of a simulation, in cells that are nearly cubes.</summary>
@@ -134,15 +135,17 @@ namespace SphFluid
             : throw new ArgumentOutOfRangeException(nameof(domainSize),
                 $"A surface grid needs a domain with edges greater than zero, not {domainSize} m.");
 
-        private static int Product(Vector3Int counts) => counts.x * counts.y * counts.z;
+        private static int Product(Vector3Int counts) => checked(counts.x * counts.y * counts.z);
 
-        private static bool Fits(Vector3 cells) =>
-            ((double)cells.x + 3.0) * (cells.y + 3.0) * (cells.z + 3.0) <= MostNamedVertices;
+        private static bool Fits(Vector3 cells) => Blocks(cells.x) * Blocks(cells.y) * Blocks(cells.z) <= MostBlocks;
+
+        // With the ring: 64 cells have 66 cubes, 9 blocks.
+        private static double Blocks(double cells) => Math.Ceiling((cells + 2.0) / CubesPerSide);
 
         private static ArgumentOutOfRangeException TooMany(string parameter, Vector3 cells) =>
             new ArgumentOutOfRangeException(parameter,
-            $"A surface grid of {cells.x:F0} x {cells.y:F0} x {cells.z:F0} cells has more edges than 32 bits can name. Choose larger " +
-            "cells or a smaller domain.");
+            $"A surface grid of {cells.x:F0} x {cells.y:F0} x {cells.z:F0} cells is too fine for its table, which has a number for " +
+            "each 8 x 8 x 8 of them. Choose larger cells or a smaller domain.");
 
         private static bool IsBox(Vector3 size) => size.x > 0f && size.y > 0f && size.z > 0f && IsFinite(size);
 

@@ -19,10 +19,15 @@ uint CellIndex(int3 cell)
 }
 
 // A particle on the upper face belongs to the last cell.
-uint CellValue(float3 position)
+int3 CellOfGrid(float3 position)
 {
     const int3 cell = int3(floor(GridPosition(position)));
-    return CellIndex(clamp(cell, int3(0, 0, 0), _GridCounts - 1));
+    return clamp(cell, int3(0, 0, 0), _GridCounts - 1);
+}
+
+uint CellValue(float3 position)
+{
+    return CellIndex(CellOfGrid(position));
 }
 
 #endif

@@ -3,12 +3,15 @@
 
 #include "../Gpu/FluidTypes.hlsl"
 #include "FluidGrid.hlsl"
+#include "../GridCells.hlsl"
 #include "DomainFaces.hlsl"
 
 StructuredBuffer<Particle> _Particles;
-StructuredBuffer<uint2> _GridIndices; // [first, end) of each cell in _Particles
+StructuredBuffer<uint2> _GridIndices; // [first, end) of each cell in _Particles: GridCells.hlsl
 float _SmoothLengthSquared;           // h^2, h the support radius
 float _DensityCoefficient;            // m 315 / (64 pi h^9)
+
+SPHFLUID_CELL_RANGE(CellRange, _GridIndices)
 
 int _CellsOfH; // 1: cells are h wide and the 27 around a particle are searched; 0: 2h wide, and eight are
 
@@ -90,8 +93,8 @@ uint2 NeighbourRange(float3 position, uint k)
     {
         for (int x = first; x <= last; x++)
         {
-            const uint2 range = _GridIndices[CellIndex(int3(x, row))];
-            particles.x = range.x < range.y ? min(particles.x, range.x) : particles.x; // an empty cell is [0, 0)
+            const uint2 range = CellRange(int3(x, row), _GridCounts);
+            particles.x = range.x < range.y ? min(particles.x, range.x) : particles.x; // an empty cell has no first
             particles.y = max(particles.y, range.y);
         }
     }

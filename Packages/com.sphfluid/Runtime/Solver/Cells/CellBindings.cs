@@ -34,11 +34,16 @@ namespace SphFluid
         private static readonly int RestDensity = Shader.PropertyToID("_RestDensity");
 
         // Copied when recorded, so one array serves; command buffers are recorded on the main thread.
-        [OutlivesPlay("it is filled anew for each use")] private static readonly int[] Counts = new int[3];
+        [OutlivesPlay("it is filled anew for each use")] private static readonly int[] Counts = new int[4];
 
         /// <summary>CellRows.hlsl: the cells.</summary>
-        public static void SetCells(CommandBuffer cmd, ComputeKernel kernel, in CellRows cells)
+        /// <param name="cmd">Command buffer.</param>
+        /// <param name="kernel">Kernel.</param>
+        /// <param name="cells">The cells.</param>
+        /// <param name="sparse">How they are stored where only those with particles are.</param>
+        public static void SetCells(CommandBuffer cmd, ComputeKernel kernel, in CellRows cells, SparseCells sparse = default)
         {
+            Counts[3] = sparse.AreUsed ? SparseCells.LiveCount : cells.CellCount;
             Counts[0] = cells.Counts.x;
             Counts[1] = cells.Counts.y;
             Counts[2] = cells.Counts.z;
@@ -51,7 +56,7 @@ namespace SphFluid
         /// <summary>CellRows.hlsl: the cells and the first particle of each.</summary>
         public static void SetCells(CommandBuffer cmd, ComputeKernel kernel, CellState state)
         {
-            SetCells(cmd, kernel, state.Cells);
+            SetCells(cmd, kernel, state.Cells, state.Sparse);
             kernel.Set(cmd, state.Buffers.CellTable);
         }
 

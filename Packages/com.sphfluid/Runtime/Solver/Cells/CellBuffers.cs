@@ -1,3 +1,6 @@
+using System;
+using System.Collections.Generic;
+
 namespace SphFluid
 {
     /// <summary>
@@ -33,25 +36,30 @@ namespace SphFluid
         /// <summary>Particles in the order of their cells, as indices, for the stable order.</summary>
         public readonly FluidBuffer Order;
 
-        /// <summary>First particle of each cell, the number of live particles, and that with those that left in the last step.</summary>
+        /// <summary>
+        /// First particle of each cell, the number of live particles, and that with those that left in the last step; or those of the cells
+        /// with particles: Shaders/Solver/Cells/SparseCells.hlsl.
+        /// </summary>
         public readonly FluidBuffer CellTable;
 
         /// <summary>
         /// Behind them, particles of each cell after the step, and those that left the domain in it, and <see cref="SumCount"/> sums of
-        /// them for the scan.
+        /// them for the scan. Where only cells with particles are stored, the sums of three scans.
         /// </summary>
-        public readonly BufferRange CellCount;
+        public BufferRange CellCount { get; private set; }
 
         /// <summary>And the place of each particle within its cell.</summary>
-        public readonly BufferRange Rank;
+        public BufferRange Rank { get; private set; }
 
-        /// <summary>Cells, and one for those that left the domain.</summary>
+        /// <summary>Cells, and one for those that left the domain; 0 where only those with particles are stored.</summary>
         public readonly int CellTotal;
 
-        /// <summary>Parts of sums of the scan's groups.</summary>
+        /// <summary>Parts of sums of the scan's groups that the next count needs to be 0.</summary>
         public readonly int SumCount;
 
-        public CellBuffers(int particleCount, int cellCount, bool isPlanned = false) : base(isPlanned)
+        private readonly SparseCells sparse;
+
+        public CellBuffers(int particleCount, int cellCount, SparseCells sparse, bool isPlanned = false) : base(isPlanned)
         {
             Positions = AddForEach("Positions", particleCount, 16, 3);
             Velocities = AddForEach("Velocities", particleCount, 16);
@@ -59,12 +67,29 @@ namespace SphFluid
             NewVelocities = AddForEach("NewVelocities", particleCount, 16);
             PositionTerms = AddForEach("PositionTerms", particleCount, 16);
             Order = AddForEach("Order", particleCount, 4);
-            CellTotal = cellCount + 1;
+            this.sparse = sparse;
+            CellTotal = sparse.AreUsed ? 0 : cellCount + 1;
             SumCount = CellRows.ScanSums(CellTotal);
-            long counts = cellCount + 2L, ranks = counts + CellTotal + SumCount;
-            CellTable = AddForEach("CellTable", particleCount, 4, ranks);
-            CellCount = CellTable.Range("CellCount", counts);
-            Rank = CellTable.Range("Rank", ranks);
+            CellTable = AddFor("CellTable", particleCount, 4, particles => RanksBegin(particles) + particles);
+            Divide(particleCount);
+        }
+
+        public override void Resize(int particleCount, ICollection<IDisposable> replaced)
+        {
+            base.Resize(particleCount, replaced);
+            Divide(particleCount);
+        }
+
+        private long CountsBegin(int particleCount) => sparse.AreUsed ? sparse.SumsBegin(particleCount) : CellTotal + 1L;
+
+        private long RanksBegin(int particleCount) =>
+            CountsBegin(particleCount) + (sparse.AreUsed ? sparse.SumCount(particleCount) : CellTotal + SumCount);
+
+        private void Divide(int particleCount)
+        {
+            CellCount = CellTable.Range("CellCount", CountsBegin(particleCount));
+            Rank = CellTable.Range("Rank", RanksBegin(particleCount));
+            CellTable.SetData(new[] { (uint)sparse.Words }); // tells which table it is
         }
     }
 }

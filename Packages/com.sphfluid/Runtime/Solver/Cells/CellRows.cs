@@ -16,11 +16,10 @@ namespace SphFluid
         internal const int SumParts = 16;
 
         /// <summary>
-        /// Most cells, border included, besides those that left the domain: the scan's groups are one row of a dispatch. Each group sums
-        /// those before it: with 4 million cells it reads 8 sums for a cell of its own, with 134 million 256. Buffers end before
-        /// that on most devices.
+        /// Most cells, border included, besides those that left the domain: their numbers are whole numbers of 32 bits with a sign. Above
+        /// <see cref="SparseCells.MostDense"/> only those with particles are stored.
         /// </summary>
-        public const int MaxCells = CellsPerScanGroup * ComputeKernel.MaxGroups - 1;
+        public const int MaxCells = 2147483646;
 
         /// <summary>Cells of the border along an axis, both ends.</summary>
         internal const int Border = 2;
@@ -38,7 +37,7 @@ namespace SphFluid
             {
                 throw new ArgumentException(
                     $"The domain has {Counts.x} x {Counts.y} x {Counts.z} cells of {CellSize.x} m, {total:E1} in all; " +
-                    $"a sort by cells holds {MaxCells:N0}. Use a smaller domain or a larger particle spacing.");
+                    $"a sort by cells numbers {MaxCells:N0}. Use a smaller domain or a larger particle spacing.");
             }
         }
 

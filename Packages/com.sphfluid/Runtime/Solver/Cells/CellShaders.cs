@@ -6,7 +6,7 @@ namespace SphFluid
         /// <summary>Sort, walls of triangles and contact with them, bodies that the liquid moves, births and drains.</summary>
         public static readonly ShaderGroup Group = new ShaderGroup("the sort by cells", "Shaders/Solver/Cells",
             groupThreads: 256, buffers: 10, writableBuffers: 7, groupMemory: 11520, vertexBuffers: 0,
-            "LoadParticles", "ScanCells", "ScatterParticles", "GatherWalls", "MoveBodies", "FindContacts", "ResolveContacts",
+            "LoadParticles", "ScanCells", "RankCells", "ScatterParticles", "GatherWalls", "MoveBodies", "FindContacts", "ResolveContacts",
             "DampVelocities",
             "PublishParticles", "DrainParticles", "BirthParticles", "GrowParticles");
     }

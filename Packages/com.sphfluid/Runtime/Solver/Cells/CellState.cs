@@ -8,13 +8,13 @@ namespace SphFluid
     internal abstract class CellState : FluidState
     {
         protected CellState(in FluidSolverSettings settings, int particleCount, bool isPlanned)
-            : base(Countable(settings), particleCount, isPlanned)
+            : base(Countable(settings), particleCount, isPlanned, SparseCells.For(new CellRows(FluidGrid.For(settings)).CellCount))
         {
             IsPlanned = isPlanned;
             try
             {
                 Cells = new CellRows(Grid);
-                Buffers = new CellBuffers(particleCount, Cells.CellCount, isPlanned);
+                Buffers = new CellBuffers(particleCount, Cells.CellCount, Sparse, isPlanned);
             }
             catch
             {

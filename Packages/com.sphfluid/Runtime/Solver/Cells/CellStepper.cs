@@ -9,6 +9,7 @@ namespace SphFluid
     {
         private readonly LoadParticlesPass loadParticles;
         private readonly ScanCellsPass scanCells;
+        private readonly RankCellsPass rankCells;
         private readonly ScatterParticlesPass scatterParticles;
         private readonly FindContactsPass findContacts;
         private readonly ResolveContactsPass resolveContacts;
@@ -22,6 +23,7 @@ namespace SphFluid
             Shaders = shaders;
             loadParticles = new LoadParticlesPass(Shaders);
             scanCells = new ScanCellsPass(Shaders);
+            rankCells = new RankCellsPass(Shaders);
             scatterParticles = new ScatterParticlesPass(Shaders);
             GatherWalls = new GatherWallsPass(Shaders);
             MoveBodies = new MoveBodiesPass(Shaders);
@@ -72,6 +74,7 @@ namespace SphFluid
         /// <inheritdoc/>
         public virtual void RecordLoad(CommandBuffer cmd)
         {
+            if (Cells.Sparse.AreUsed) rankCells.RecordLoad(cmd, Cells);
             loadParticles.Record(cmd, Cells);
             Order = ParticleOrder.Counted;
         }
@@ -113,7 +116,11 @@ namespace SphFluid
         }
 
         /// <inheritdoc/>
-        public virtual void RecordPublish(CommandBuffer cmd) => publishParticles.Record(cmd, Cells);
+        public virtual void RecordPublish(CommandBuffer cmd)
+        {
+            publishParticles.Record(cmd, Cells);
+            if (Cells.Sparse.AreUsed) rankCells.RecordPublish(cmd, Cells);
+        }
 
         /// <inheritdoc/>
         public void Dispose() => Cells.Dispose();
@@ -121,7 +128,8 @@ namespace SphFluid
         /// <summary>Sorts particles that are counted into cells; the scan uses up the counts.</summary>
         protected void Sort(CommandBuffer cmd)
         {
-            scanCells.Record(cmd, Cells);
+            if (Cells.Sparse.AreUsed) rankCells.Record(cmd, Cells);
+            else scanCells.Record(cmd, Cells);
             scatterParticles.Record(cmd, Cells);
             Order = ParticleOrder.Sorted;
             SetupCount++;

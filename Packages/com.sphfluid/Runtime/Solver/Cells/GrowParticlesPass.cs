@@ -9,6 +9,7 @@ namespace SphFluid
     {
         private static readonly int ParticleCount = Id("_ParticleCount");
         private static readonly int OldCountsBegin = Id("_OldCountsBegin");
+        private static readonly int OldRankBegin = Id("_OldRankBegin");
 
         private readonly ComputeKernel kernel;
 
@@ -32,6 +33,7 @@ namespace SphFluid
                 kernel.SetBuffer(cmd, buffers.CellTable.Id, old.CellTable);
                 kernel.SetBuffer(cmd, state.List.Neighbours.Id, old.Neighbours);
                 kernel.SetInt(cmd, OldCountsBegin, old.NeighbourCounts);
+                kernel.SetInt(cmd, OldRankBegin, old.Ranks);
                 kernel.SetOut(cmd, buffers.NewPositions);
                 kernel.SetOut(cmd, buffers.NewVelocities);
                 kernel.SetOut(cmd, buffers.Rank);
@@ -42,7 +44,7 @@ namespace SphFluid
                     kernel.SetBuffer(cmd, CellBindings.CarriedOut, state.Carried);
                 }
                 kernel.SetInt(cmd, ParticleCount, count);
-                kernel.DispatchThreads(cmd, Math.Max(count, buffers.Rank.Begin)); // the table of the cells goes along
+                kernel.DispatchThreads(cmd, Math.Max(count, old.Ranks)); // the table of the cells goes along
             }
         }
     }
@@ -51,7 +53,7 @@ namespace SphFluid
     internal readonly struct CellRemains
     {
         public readonly GraphicsBuffer NewPositions, NewVelocities, CellTable, Neighbours, Carried;
-        public readonly int NeighbourCounts; // where they begin
+        public readonly int NeighbourCounts, Ranks; // where they begin
 
         public CellRemains(CellState state)
         {
@@ -60,6 +62,7 @@ namespace SphFluid
             CellTable = state.Buffers.CellTable;
             Neighbours = state.List.Neighbours;
             NeighbourCounts = state.List.Counts.Begin;
+            Ranks = state.Buffers.Rank.Begin;
             Carried = state.Carried != null ? (GraphicsBuffer)state.Carried : null;
         }
     }

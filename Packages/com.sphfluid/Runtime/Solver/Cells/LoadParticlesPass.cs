@@ -25,7 +25,7 @@ namespace SphFluid
                 clear.SetInt(cmd, CellTotal, counts);
                 clear.SetOut(cmd, state.Buffers.CellCount);
                 clear.DispatchThreads(cmd, counts);
-                CellBindings.SetCells(cmd, load, state.Cells);
+                CellBindings.SetCells(cmd, load, state.Cells, state.Sparse);
                 load.SetInt(cmd, ParticleCount, state.LoadedCount);
                 load.Set(cmd, state.Published.Particles);
                 load.SetOut(cmd, state.Buffers.NewPositions);

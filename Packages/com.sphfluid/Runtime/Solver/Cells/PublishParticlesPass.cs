@@ -31,6 +31,7 @@ namespace SphFluid
                 particles.Set(cmd, state.Published.Density);
                 particles.Set(cmd, state.Published.Pressure);
                 particles.DispatchThreads(cmd, state.ParticleCount);
+                if (state.Sparse.AreUsed) return; // RankCellsPass
                 CellBindings.SetCells(cmd, ranges, state);
                 GridNeighbours.SetGrid(cmd, ranges, state.Grid);
                 ranges.SetOut(cmd, state.Published.GridIndices);

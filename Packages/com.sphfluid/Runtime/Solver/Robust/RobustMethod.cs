@@ -24,6 +24,8 @@ namespace SphFluid
 
         public override long MaxCells => CellRows.MaxCells;
 
+        public override bool StoresEmptyCells => false;
+
         public override FluidSolverSettings Derive(in FluidRuleInput input) => RobustRules.Derive(input);
 
         public override double PassesAStep => PassesFor(RobustRules.LeastIterations);

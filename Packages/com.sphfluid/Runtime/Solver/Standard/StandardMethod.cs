@@ -37,6 +37,8 @@ namespace SphFluid
 
         public override long MaxCells => CellRows.MaxCells;
 
+        public override bool StoresEmptyCells => false;
+
         public override FluidSolverSettings Derive(in FluidRuleInput input) => StandardRules.Derive(input);
 
         public override double PassesAStep => 3.0;

@@ -14,10 +14,11 @@
 
 float3 _CellOrigin;    // lower corner of the first border cell
 float3 _CellsPerMetre; // 1 over the side of a cell along each axis
-int3 _CellCounts;      // with the border
+int4 _CellCounts;      // with the border; w: where the table has the number of live particles
 
 // The first particle of each cell, the number of live ones, and that with those that left in the last step; behind them what the next
 // sort needs (CellSums.hlsl). A kernel that counts for it defines COUNTS_CELLS and reads the table where it writes.
+// Where the domain has too many cells the table has those with particles only: SparseCells.hlsl.
 StructuredBuffer<uint> _CellTable;
 RWStructuredBuffer<uint> _CellTableOut;
 
@@ -27,9 +28,29 @@ RWStructuredBuffer<uint> _CellTableOut;
 #define CELL_TABLE _CellTable
 #endif
 
+#include "SparseCells.hlsl"
+
+// Where two cells begin. The number that says which table it is lies in the table: Mesa may translate a kernel anew for each value of a
+// uniform that it branches on.
+uint2 CellStarts(uint first, uint second)
+{
+    const uint words = CELL_TABLE[SPARSE_WORDS];
+    uint2 starts;
+    [branch]
+    if (words == 0u)
+    {
+        starts = uint2(CELL_TABLE[first], CELL_TABLE[second]);
+    }
+    else
+    {
+        starts = uint2(SparseStart(words, first), SparseStart(words, second));
+    }
+    return starts;
+}
+
 uint CellStart(uint cell)
 {
-    return CELL_TABLE[cell];
+    return CellStarts(cell, cell).x;
 }
 
 // Particle of a thread: positions and velocities lie in float4 apart, one aligned load each; a velocity's w is the id.
@@ -41,7 +62,7 @@ uint ParticleIndex(uint3 groupId, uint groupIndex)
 int3 CellAt(float3 position)
 {
     const int3 cell = int3(floor((position - _CellOrigin) * _CellsPerMetre));
-    return clamp(cell, int3(1, 1, 1), _CellCounts - 2); // a particle on the upper face belongs to the last cell
+    return clamp(cell, int3(1, 1, 1), _CellCounts.xyz - 2); // a particle on the upper face belongs to the last cell
 }
 
 uint CellNumber(int3 cell)
@@ -58,28 +79,39 @@ uint RemovedCell()
 // Live particles: the first of the sorted ones. What stands behind them is undefined.
 uint LiveCount()
 {
-    return CellStart(RemovedCell());
+    return CELL_TABLE[uint(_CellCounts.w)];
+}
+
+// Those, and those that left in the last step.
+uint CountedCount()
+{
+    return CELL_TABLE[uint(_CellCounts.w) + 1u];
 }
 
 // The number of the cell that a live particle was sorted into, where that is asked: the last that begins with it or
 // before. Empty cells begin where the next does. Worked example, cells that begin at 0, 0, 2 and 5: particle 1 is in the second.
 uint SortedCell(uint id, bool isAsked)
 {
+    const uint words = isAsked ? CELL_TABLE[SPARSE_WORDS] : 0u;
+    const bool isSparse = words != 0u;
+    const uint begin = isSparse ? SparseEntry(words, 0u) + SPARSE_START : 0u;
+    const uint shift = isSparse ? SPARSE_ENTRY : 0u;
     uint cell = 0u;
-    uint end = isAsked ? RemovedCell() : 0u;
+    uint end = isSparse ? CELL_TABLE[SPARSE_CELLS] : isAsked ? RemovedCell() : 0u;
     while (end > cell + 1u)
     {
         const uint middle = (cell + end) / 2u;
-        const bool begins = CellStart(middle) <= id;
+        const bool begins = CELL_TABLE[begin + (middle << shift)] <= id;
         cell = begins ? middle : cell;
         end = begins ? end : middle;
     }
-    return cell;
+    const uint number = CELL_TABLE[isSparse ? SparseEntry(words, cell) + SPARSE_NUMBER : 0u];
+    return isSparse ? number : cell;
 }
 
 int3 CellOf(uint number)
 {
-    const uint3 counts = uint3(_CellCounts);
+    const uint3 counts = uint3(_CellCounts.xyz);
     return int3(uint3(number % counts.x, number / counts.x % counts.y, number / (counts.x * counts.y)));
 }
 
@@ -106,7 +138,7 @@ uint2 CellRun(int3 cell, uint k)
     const int first = k < 9u ? cell.x - (low ? 0 : 1) : low ? inner : 1;
     const int last = k < 9u ? cell.x + (high ? 0 : 1) : low || high ? first : 0; // else none
     const uint start = CellNumber(int3(0, y, z));
-    return last < first ? uint2(0u, 0u) : uint2(CellStart(start + uint(first)), CellStart(start + uint(last + 1)));
+    return last < first ? uint2(0u, 0u) : CellStarts(start + uint(first), start + uint(last + 1));
 }
 
 #else
@@ -116,7 +148,7 @@ uint2 CellRun(int3 cell, uint k)
 uint2 CellRun(int3 cell, uint k)
 {
     const uint first = CellNumber(cell + int3(-1, int(k % 3u) - 1, int(k / 3u) - 1));
-    return uint2(CellStart(first), CellStart(first + 3u));
+    return CellStarts(first, first + 3u);
 }
 
 #endif

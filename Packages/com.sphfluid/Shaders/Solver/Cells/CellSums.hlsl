@@ -15,14 +15,18 @@
 uint _CellCountBegin;
 uint _RankBegin; // behind them the place of each particle in its cell
 
-// Counts a particle in a cell; how many were counted there before it.
+// Counts a particle in a cell; how many were counted there before it. Where the table has no empty cells RankCells counts, by itself.
 uint CountCell(uint cell, uint id)
 {
-    const uint sum = RemovedCell() + 1u + cell / SCAN_CELLS_PER_GROUP * SCAN_SUM_PARTS + id % SCAN_SUM_PARTS;
-    uint ignored;
-    InterlockedAdd(_CellTableOut[_CellCountBegin + sum], 1u, ignored);
-    uint rank;
-    InterlockedAdd(_CellTableOut[_CellCountBegin + cell], 1u, rank);
+    uint rank = 0u;
+    [branch]
+    if (_CellTableOut[SPARSE_WORDS] == 0u)
+    {
+        const uint sum = RemovedCell() + 1u + cell / SCAN_CELLS_PER_GROUP * SCAN_SUM_PARTS + id % SCAN_SUM_PARTS;
+        uint ignored;
+        InterlockedAdd(_CellTableOut[_CellCountBegin + sum], 1u, ignored);
+        InterlockedAdd(_CellTableOut[_CellCountBegin + cell], 1u, rank);
+    }
     return rank;
 }
 

@@ -10,6 +10,7 @@
 // A kernel that includes this file defines FLUID_PERIODIC, SIDE (samples of the block along an axis), SAMPLE_THREADS and
 // VALUE_WORDS (how much of the groupshared memory it uses itself, afterwards).
 #include "../../Solver/FluidGrid.hlsl"
+#include "../../GridCells.hlsl"
 #include "../../Solver/DomainFaces.hlsl"
 #include "../SurfaceGrid.hlsl"
 #include "SurfaceParticles.hlsl"
@@ -57,10 +58,12 @@ StructuredBuffer<float4> _SurfaceParticles;
 StructuredBuffer<uint2> _Spray;       // y: stretch
 float _LongestStretch;                // in R, along the flow
 #endif
-StructuredBuffer<uint2> _GridIndices; // [first, end) of each cell of the fluid grid
+StructuredBuffer<uint2> _GridIndices; // [first, end) of each cell of the fluid grid: GridCells.hlsl
 float _FieldReach;                    // m: how far from a sample the particles that it feels may lie
 float _KernelExtent;                  // R: how far kernels reach from their centres
 float3 _PeriodSteps;                  // length of the domain in R along periodic axes
+
+SPHFLUID_CELL_RANGE(CellRange, _GridIndices)
 
 // Fluid cells that hold what a block's samples feel.
 struct BlockReach
@@ -164,15 +167,14 @@ float3 UnpackTurns(uint packed)
 uint2 RunOf(BlockReach reach, int3 at)
 {
     const int2 wrapped = at.yz - int2(Turn(at.y, _GridCounts.y), Turn(at.z, _GridCounts.z)) * _GridCounts.yz;
-    const uint row = CellIndex(int3(0, wrapped));
     const int first = max(reach.first.x - at.x * _GridCounts.x, 0);
     int end = min(reach.last.x - at.x * _GridCounts.x, _GridCounts.x - 1) + 1;
     end = IsBeyond(reach, float2(at.yz)) ? first : end;
     uint2 run = uint2(0xffffffffu, 0u);
     for (int x = first; x < end; x++)
     {
-        const uint2 cell = _GridIndices[row + uint(x)];
-        run.x = cell.x < cell.y ? min(run.x, cell.x) : run.x; // an empty cell is [0, 0)
+        const uint2 cell = CellRange(int3(x, wrapped), _GridCounts);
+        run.x = cell.x < cell.y ? min(run.x, cell.x) : run.x; // an empty cell has no first
         run.y = max(run.y, cell.y);
     }
     return run.x < run.y ? run : uint2(0u, 0u);

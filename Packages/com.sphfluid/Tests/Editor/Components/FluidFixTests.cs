@@ -74,7 +74,7 @@ namespace SphFluid.Tests
         public void TooManyCells()
         {
             simulation.Method = FluidMethodKind.Standard;
-            simulation.DomainSize = new Vector3(20f, 5f, 20f);
+            simulation.DomainSize = new Vector3(200f, 50f, 200f);
             simulation.Spacing = 0.02f;
             Cure(FluidIssue.TooManyCells);
         }

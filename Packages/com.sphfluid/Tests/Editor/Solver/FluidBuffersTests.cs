@@ -7,18 +7,33 @@ using Object = UnityEngine.Object;
 namespace SphFluid.Tests
 {
     /// <summary>A kernel of someone else's reads a liquid by FluidBuffers and FluidBuffers.hlsl.</summary>
+    [TestFixture(false)]
+    [TestFixture(true)]
     public sealed class FluidBuffersTests
     {
         private static readonly Vector3 Domain = new Vector3(0.62f, 0.5f, 0.54f), Place = new Vector3(3f, -2f, 1f);
         private static readonly Quaternion Turn = Quaternion.Euler(20f, 130f, -40f);
 
+        private readonly bool sparse;
         private FluidShaderSet shaders;
+        private ForcedCells cells;
+
+        /// <param name="sparse">Whether only cells with particles are stored.</param>
+        public FluidBuffersTests(bool sparse) => this.sparse = sparse;
 
         [SetUp]
-        public void SetUp() => shaders = TestShaders.CreateSet();
+        public void SetUp()
+        {
+            shaders = TestShaders.CreateSet();
+            cells = new ForcedCells(sparse);
+        }
 
         [TearDown]
-        public void TearDown() => Object.DestroyImmediate(shaders);
+        public void TearDown()
+        {
+            cells.Dispose();
+            Object.DestroyImmediate(shaders);
+        }
 
         [TestCase(1, FluidMethodKind.Standard, FluidAxes.None)]
         [TestCase(257, FluidMethodKind.Standard, FluidAxes.None)]

@@ -37,17 +37,28 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void GridWithTooManyEdgesToNameIsRefusedWithTheCure()
+        public void GridWithTooManyBlocksIsRefusedWithTheCure()
         {
-            // 3 x 1127^3 is just below 2^32, 3 x 1128^3 above.
-            Assert.AreEqual(1124, new SurfaceGrid(Vector3.zero, Vector3.one, Vector3Int.one * 1124).Cells.x);
+            // 812^3 blocks of 8 cubes, two of them of the ring, are just below 2^29, 813^3 above.
+            Assert.AreEqual(6494, new SurfaceGrid(Vector3.zero, Vector3.one, Vector3Int.one * 6494).Cells.x);
             var thrown = Assert.Throws<ArgumentOutOfRangeException>(() => new SurfaceGrid(Vector3.zero, Vector3.one,
-                Vector3Int.one * 1125));
-            StringAssert.Contains("1125 x 1125 x 1125", thrown.Message);
-            thrown = Assert.Throws<ArgumentOutOfRangeException>(() => SurfaceGrid.OverDomain(Vector3.one * 4f, 1e-3f));
+                Vector3Int.one * 6495));
+            StringAssert.Contains("6495 x 6495 x 6495", thrown.Message);
+            thrown = Assert.Throws<ArgumentOutOfRangeException>(() => SurfaceGrid.OverDomain(Vector3.one * 40f, 1e-3f));
             StringAssert.Contains("Choose larger cells or a smaller domain", thrown.Message);
             Assert.AreEqual(40_000, SurfaceGrid.OverDomain(new Vector3(40f, 0.1f, 0.1f), 1e-3f).Cells.x,
                 "a long domain is no trouble");
+        }
+
+        // 100 m at the default quality, 0.75 spacings of 0.05 m: a table of 30 MB, and more vertices than an index names.
+        [Test]
+        public void ALevelHasASurface()
+        {
+            SurfaceGrid grid = SurfaceGrid.OverDomain(new Vector3(100f, 20f, 100f), 0.0375f);
+            Assert.AreEqual(new Vector3Int(2667, 534, 2667), grid.Cells);
+            Vector3Int blocks = SurfaceBlocks.CountsOver(grid.Cells);
+            Assert.That(4L * blocks.x * blocks.y * blocks.z, Is.LessThan(31_000_000L));
+            Assert.Throws<OverflowException>(() => _ = grid.VertexCount);
         }
 
         [TestCase(0f)]

@@ -10,6 +10,9 @@ namespace SphFluid
     /// </summary>
     public sealed class SurfaceField : IDisposable
     {
+        // Three grid edges start at each vertex; their names are 32 bits long.
+        private const double MostNamedVertices = uint.MaxValue / 3;
+
         private readonly ResetMCGridPass resetGrid;
         private readonly SetMCGridDensityFactorsPass setDensityFactors;
         private readonly FluidBuffer values;
@@ -17,6 +20,7 @@ namespace SphFluid
         /// <summary>A field on a grid.</summary>
         /// <param name="shaders">Shader set with the surface field's kernels.</param>
         /// <param name="grid">The grid.</param>
+        /// <exception cref="ArgumentException">The grid has no size, or more edges than 32 bits can name.</exception>
         /// <exception cref="FluidDeviceException">The device cannot hold the grid or run the kernels.</exception>
         public SurfaceField(FluidShaderSet shaders, SurfaceGrid grid)
         {
@@ -26,6 +30,13 @@ namespace SphFluid
                     "A surface field needs a shader set: assign one in the fluid profile.");
             }
             if (grid.Cells.x < 1) throw new ArgumentException("A surface field needs a grid that was made with a size.", nameof(grid));
+            Vector3 sides = grid.Cells + 3 * Vector3Int.one; // with two layers of the ring
+            if ((double)sides.x * sides.y * sides.z > MostNamedVertices)
+            {
+                throw new ArgumentException(
+                    $"A surface field of {grid.Cells.x} x {grid.Cells.y} x {grid.Cells.z} cells has more edges than 32 bits can name. " +
+                    "Choose larger cells or a smaller domain.", nameof(grid));
+            }
             Grid = grid;
             if (GpuBytes > SystemInfo.maxGraphicsBufferSize)
             {

@@ -81,8 +81,21 @@ namespace SphFluid.Tests
             var starts = new uint[removed + 2];
             foreach (FluidParticle p in sorted) starts[Cell(p) + 1]++;
             for (int i = 1; i < starts.Length; i++) starts[i] += starts[i - 1];
-            State.Buffers.CellTable.SetData(starts);
-            EmptyCells(State);
+            if (State.Sparse.AreUsed)
+            {
+                Fill(State.Buffers.NewPositions, sorted.Select(p => WithW(p.Position, p.IsRemoved ? -1f : 0f)).ToArray());
+                var rank = new RankCellsPass(Shaders);
+                GpuTest.Run(cmd =>
+                {
+                    rank.RecordLoad(cmd, State);
+                    rank.Record(cmd, State);
+                });
+            }
+            else
+            {
+                State.Buffers.CellTable.SetData(starts);
+                EmptyCells(State);
+            }
             Fill(State.Buffers.Positions, sorted.Select(p => WithW(p.Position, 0f)).ToArray());
             Fill(State.Buffers.PositionTerms, sorted.Select(p => WithW(p.Position, 0f)).ToArray());
             Fill(State.Buffers.Velocities, sorted.Select(p => WithW(p.VelT0, FromBits(p.Id))).ToArray());

@@ -21,6 +21,7 @@ namespace SphFluid.Tests
         {
             const int particleCount = 7;
             const uint behind = 4242u;
+            using (new ForcedCells(false))
             using (var rig = new StandardStateRig(StandardStateRig.WithCells(new Vector3Int(x, y, z)), particleCount))
             {
                 CellBuffers buffers = rig.State.Buffers;

@@ -82,10 +82,10 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void MoreCellsThanTheScanHolds()
+        public void MoreCellsThanNumbersOfThem()
         {
             FluidSolverSettings settings = Settings();
-            settings.DomainSize = new Vector3(80f, 80f, 80f); // 0.36 billion cells
+            settings.DomainSize = new Vector3(200f, 200f, 200f); // 5.6 billion cells
             var error = Assert.Throws<System.ArgumentException>(() => new FluidSolver(settings, shaders, Block()));
             Assert.That(error.Message, Does.Contain("cells").And.Contain("Use a smaller domain or a larger particle spacing"));
         }
