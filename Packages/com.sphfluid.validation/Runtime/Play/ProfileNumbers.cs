@@ -7,7 +7,9 @@ using Object = UnityEngine.Object;
 
 namespace SphFluid.Validation
 {
-    /// <summary>Numbers of a profile that a command line gives, by their names in the Inspector: <c>support-ratio=2,substeps=2</c>.</summary>
+    /// <summary>
+    /// Numbers of a profile that a command line gives, by their names in the Inspector: <c>support-ratio=2,substeps=2</c>.
+    /// </summary>
     internal sealed class ProfileNumbers
     {
         private static readonly (string Name, Action<FluidProfile, float> Set, Func<FluidProfile, float> Get)[] known =

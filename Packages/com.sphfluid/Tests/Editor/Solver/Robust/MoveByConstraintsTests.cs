@@ -193,7 +193,7 @@ namespace SphFluid.Tests
         private static Double3 Dragged(FluidParticle[] particles, int i, FluidSolverSettings settings)
         {
             float sound = (float)Math.Min(settings.SoundSpeed, RobustRules.EffectiveSoundSpeed(settings, TimeStep, 2));
-            double factor = 2.0 * RobustRules.ActingViscosity(settings, TimeStep, 2) / (settings.RestDensity * (double)settings.RestDensity) *
+            double density = settings.RestDensity, factor = 2.0 * RobustRules.ActingViscosity(settings, TimeStep, 2) / (density * density) *
                 settings.ParticleMass / StandardReference.Response(settings);
             var sum = new Double3();
             for (int j = 0; j < particles.Length; j++)
