@@ -30,11 +30,16 @@ RWStructuredBuffer<uint> _CellTableOut;
 
 #include "SparseCells.hlsl"
 
-// Where two cells begin. The number that says which table it is lies in the table: Mesa may translate a kernel anew for each value of a
-// uniform that it branches on.
-uint2 CellStarts(uint first, uint second)
+// Which table it is: 0, one of all cells. The number lies in the table: Mesa may translate a kernel anew for each value of a uniform that
+// it branches on.
+uint TableWords()
 {
-    const uint words = CELL_TABLE[SPARSE_WORDS];
+    return CELL_TABLE[SPARSE_WORDS];
+}
+
+// Where two cells begin.
+uint2 CellStarts(uint words, uint first, uint second)
+{
     uint2 starts;
     [branch]
     if (words == 0u)
@@ -50,7 +55,7 @@ uint2 CellStarts(uint first, uint second)
 
 uint CellStart(uint cell)
 {
-    return CellStarts(cell, cell).x;
+    return CellStarts(TableWords(), cell, cell).x;
 }
 
 // Particle of a thread: positions and velocities lie in float4 apart, one aligned load each; a velocity's w is the id.
@@ -127,7 +132,7 @@ int WrapCell(int cell, int count, float length)
     return length > 0.0 ? wrapped : cell;
 }
 
-uint2 CellRun(int3 cell, uint k)
+uint2 CellRun(uint words, int3 cell, uint k)
 {
     const uint row = k % 9u;
     const int y = WrapCell(cell.y + int(row % 3u) - 1, _CellCounts.y, _PeriodLength.y);
@@ -138,25 +143,25 @@ uint2 CellRun(int3 cell, uint k)
     const int first = k < 9u ? cell.x - (low ? 0 : 1) : low ? inner : 1;
     const int last = k < 9u ? cell.x + (high ? 0 : 1) : low || high ? first : 0; // else none
     const uint start = CellNumber(int3(0, y, z));
-    return last < first ? uint2(0u, 0u) : CellStarts(start + uint(first), start + uint(last + 1));
+    return last < first ? uint2(0u, 0u) : CellStarts(words, start + uint(first), start + uint(last + 1));
 }
 
 #else
 
 #define CELL_RUNS 9u
 
-uint2 CellRun(int3 cell, uint k)
+uint2 CellRun(uint words, int3 cell, uint k)
 {
     const uint first = CellNumber(cell + int3(-1, int(k % 3u) - 1, int(k / 3u) - 1));
-    return CellStarts(first, first + 3u);
+    return CellStarts(words, first, first + 3u);
 }
 
 #endif
 
 // Where a condition holds, every particle j of the rows around a cell.
 #define FOR_EACH_NEAR_IF(condition, cell, j) \
-    for (uint cellRun##j = 0u; (condition) && cellRun##j < CELL_RUNS; cellRun##j++) \
-        for (uint2 run##j = CellRun(cell, cellRun##j); run##j.x < run##j.y; run##j.x = run##j.y) \
+    for (uint cellRun##j = 0u, words##j = TableWords(); (condition) && cellRun##j < CELL_RUNS; cellRun##j++) \
+        for (uint2 run##j = CellRun(words##j, cell, cellRun##j); run##j.x < run##j.y; run##j.x = run##j.y) \
             for (uint j = run##j.x; j < run##j.y; j++)
 
 #endif

@@ -66,6 +66,7 @@ uint NeighbourBits(uint2 run, uint id, float4 place)
 
 struct Search
 {
+    uint Words;  // of the table
     uint Row;    // whose candidates come next
     uint2 Run;   // what is left of it
     uint Next;   // of the lane's waiting chunks
@@ -87,7 +88,7 @@ void FillChunks(inout Search search, int3 cell, uint lane, uint id, float4 place
         if (search.Run.x >= search.Run.y)
         {
             search.Row++;
-            search.Run = CellRun(cell, min(search.Row, CELL_RUNS - 1u));
+            search.Run = CellRun(search.Words, cell, min(search.Row, CELL_RUNS - 1u));
         }
     }
 }

@@ -94,7 +94,8 @@ NeighbourSums SearchedSums(uint id, uint lane, float4 place)
     ListWriter list = EmptyList(id);
     NeighbourSums sums = OwnSums(place.xyz);
     Search search = (Search)0;
-    search.Run = CellRun(cell, 0u);
+    search.Words = TableWords();
+    search.Run = CellRun(search.Words, cell, 0u);
     while (search.Row < CELL_RUNS)
     {
         FillChunks(search, cell, lane, id, place);
