@@ -147,7 +147,7 @@ namespace SphFluid
             double head = Math.Min(speeds == null ? double.PositiveInfinity : Math.Max(speeds.Sample.Head, bodySpeed),
                 reference?.Most ?? solver.Settings.MaxSpeed);
             FluidRuleInput rules = spec.Profile.Rules;
-            double load = loads.Load * Math.Max(1.0, 1.0 / (rules.SoundSpeedRatio * Math.Sqrt(2.0 * rules.MaxCompression)));
+            double load = loads.Load * rules.Stiffness / rules.SoundSpeedRatio;
             double loaded = load > 0.0 ? Math.Sqrt(head * head + load * load) : 0.0;
             Driven = Math.Min(Math.Max(loads.Speed, loaded), FluidSpec.MostSpeed);
             if (reference == null || yields) return;

@@ -1,3 +1,4 @@
+using System;
 using UnityEngine;
 
 namespace SphFluid
@@ -64,6 +65,12 @@ namespace SphFluid
 
         /// <summary>Compression allowed at the bottom of the liquid at rest, gH/c².</summary>
         public float MaxCompression;
+
+        /// <summary>
+        /// Speed of sound over the speed of a fall by the liquid's depth: <see cref="SoundSpeedRatio"/>, or 1/√(2 η) of
+        /// <see cref="MaxCompression"/> η where that asks for more.
+        /// </summary>
+        internal readonly double Stiffness => Math.Max(SoundSpeedRatio, 1.0 / Math.Sqrt(2.0 * MaxCompression));
 
         /// <summary>α: the thesis method's least kinematic viscosity over c R; Standard needs a tenth of it.</summary>
         public float ViscosityRatio;

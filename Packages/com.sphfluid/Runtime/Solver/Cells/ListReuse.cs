@@ -10,14 +10,13 @@ namespace SphFluid
     /// </summary>
     internal static class ListReuse
     {
-        /// <summary>Over R: what two bodies of soft liquid may close between the first step that uses a list and the last.</summary>
-        public const double MostClosing = 1.2;
-
         /// <summary>
-        /// The same where steps are long, or forces follow single particles: only the outermost particles of bodies look ahead.
+        /// Over R: what two bodies may close between the first step that uses a list and the last where steps are long, forces follow
+        /// single particles or liquid is stiff: only the outermost particles of bodies look ahead.
         /// </summary>
         public const double CarefulClosing = 0.6;
 
+        private const double MostClosing = 1.2;    // the same of soft liquid, over R
         private const double MostBodyMotion = 0.3; // of a triangle, over R
         private const double SoftRatio = 6.0;      // of a liquid that may close MostClosing
 

@@ -31,7 +31,7 @@ namespace SphFluid
             var own = new StandardSettings
             {
                 StableOrder = true, NeighbourList = true, StepsPerSort = 16,
-                ListClosing = (float)ListReuse.ClosingFor(Math.Max(input.SoundSpeedRatio, 1.0 / Math.Sqrt(2.0 * input.MaxCompression))),
+                ListClosing = (float)ListReuse.ClosingFor(input.Stiffness),
             };
             foreach (ParticleForce force in StandardForces.All) force.Derive(input, ref own);
             FluidSolverSettings settings = CellRules.Derive(

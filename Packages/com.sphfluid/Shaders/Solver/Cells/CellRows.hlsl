@@ -97,7 +97,7 @@ uint CountedCount()
 // before. Empty cells begin where the next does. Worked example, cells that begin at 0, 0, 2 and 5: particle 1 is in the second.
 uint SortedCell(uint id, bool isAsked)
 {
-    const uint words = isAsked ? CELL_TABLE[SPARSE_WORDS] : 0u;
+    const uint words = isAsked ? TableWords() : 0u;
     const bool isSparse = words != 0u;
     const uint begin = isSparse ? SparseEntry(words, 0u) + SPARSE_START : 0u;
     const uint shift = isSparse ? SPARSE_ENTRY : 0u;

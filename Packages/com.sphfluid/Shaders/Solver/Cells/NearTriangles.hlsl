@@ -16,6 +16,16 @@ struct NearTriangles
     uint Thread;
 };
 
+// The list of the cell that a place of a body's frame is in; cells are those of the body as it was before it stretched.
+uint2 NearRange(CollisionBody body, BodyPose pose, float3 place)
+{
+#if defined(FLUID_STRETCHED_BODIES)
+    return BodyCellRange(body, Apply(pose.Relaxed, place));
+#else
+    return BodyCellRange(body, place);
+#endif
+}
+
 void AllAreNear(uint thread)
 {
     [unroll]

@@ -224,11 +224,7 @@ Shadow TriangleShadow(uint thread, float3 position, float3 planes[WALL_PLANES], 
         const bool moves = (body.Flags & BODY_MOVES) != 0u;
         const BodyPose pose = HerePose(body);
         const float3 x = moves ? ToBody(pose, position) : position;
-#if defined(FLUID_STRETCHED_BODIES)
-        const uint2 range = BodyCellRange(body, Apply(pose.Relaxed, x));
-#else
-        const uint2 range = BodyCellRange(body, x);
-#endif
+        const uint2 range = NearRange(body, pose, x);
         const NearTriangles near = NearOf(range, word, thread);
         word = WordBehind(near);
         uint begin = NextNear(near, range.x);
