@@ -9,7 +9,7 @@ namespace SphFluid
         /// <summary>All stages; each pass of the package is in one of them.</summary>
         public static readonly IReadOnlyList<FluidStage> All = new[]
         {
-            new FluidStage("neighbours", "ScanCells", "RankCells", "ScatterParticles",
+            new FluidStage("neighbours", "ScanCells", "RankCells", "ScatterParticles", "SleepParticles",
                 "CalculateParticleCellValue", "BitonicSort", "FusedBitonicSort", "ResetGridIndices", "SetGridIndices", "SortParticles"),
             new FluidStage("density", "StandardDensity", "ConstrainDensity", "CalculateDensity"),
             new FluidStage("forces",

@@ -41,6 +41,9 @@ namespace SphFluid
         /// <summary>The particles in the order of their cells.</summary>
         public CellBuffers Buffers { get; }
 
+        /// <summary>Which parts of the liquid sleep; null: none do.</summary>
+        public SleepBricks Sleep { get; set; }
+
         /// <summary>What triangles need; null where there never were any.</summary>
         public MeshWallBuffers Walls { get; private set; }
 
@@ -151,6 +154,7 @@ namespace SphFluid
         /// <inheritdoc/>
         public override void Dispose()
         {
+            Sleep?.Dispose();
             Walls?.Dispose();
             List?.Dispose();
             Buffers.Dispose();

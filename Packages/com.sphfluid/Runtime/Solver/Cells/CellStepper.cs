@@ -14,6 +14,7 @@ namespace SphFluid
         private readonly FindContactsPass findContacts;
         private readonly ResolveContactsPass resolveContacts;
         private readonly PublishParticlesPass publishParticles;
+        private SleepParticlesPass sleepParticles;
         private DrainParticlesPass drainParticles;
         private BirthParticlesPass birthParticles;
         private GrowParticlesPass growParticles;
@@ -76,6 +77,7 @@ namespace SphFluid
         {
             if (Cells.Sparse.AreUsed) rankCells.RecordLoad(cmd, Cells);
             loadParticles.Record(cmd, Cells);
+            if (Cells.Sleep != null) Cells.Sleep.IsNew = true;
             Order = ParticleOrder.Counted;
         }
 
@@ -131,6 +133,7 @@ namespace SphFluid
             if (Cells.Sparse.AreUsed) rankCells.Record(cmd, Cells);
             else scanCells.Record(cmd, Cells);
             scatterParticles.Record(cmd, Cells);
+            if (Cells.Sleep != null) (sleepParticles ??= new SleepParticlesPass(Shaders)).Record(cmd, Cells);
             Order = ParticleOrder.Sorted;
             SetupCount++;
         }

@@ -105,6 +105,7 @@ namespace SphFluid
             }
 
             lastStep = step.Length;
+            if (state.Sleep != null) state.Sleep.SinceSort += step.Length;
             Order = step.KeepsOrder ? ParticleOrder.Left : ParticleOrder.Counted;
         }
 
