@@ -89,6 +89,9 @@ namespace SphFluid
         /// </summary>
         public bool IsAsleep => run != null && run.IsAsleep;
 
+        /// <summary>Part of the particles that rests and takes no part in the steps, as of some frames ago, 0 to 1.</summary>
+        public float AsleepShare => run?.AsleepShare ?? 0f;
+
         /// <summary>Number of particles, as of a few frames ago where some are emitted or leave; 0 when stopped.</summary>
         public int ParticleCount => (int)(run?.Solver.LiveCount ?? 0);
 

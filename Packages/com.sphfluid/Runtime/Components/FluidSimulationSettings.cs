@@ -101,6 +101,11 @@ namespace SphFluid
             Tooltip("Liquid that rests takes no steps until something touches it: a collider that moves, a changed setting, a script.")]
         private bool sleepsAtRest = true;
 
+        [SerializeField,
+            Tooltip("With Sleeps At Rest and Standard: so do parts of a large pool that rest while others move. What moves less than " +
+            "a twelfth of the speed that gravity gives over a spacing counts as rest: ripples of a part of a spacing end there.")]
+        private bool partsSleep;
+
         [SerializeField, Min(0f), Unit("m/s"),
             Tooltip("Fastest speed to expect in m/s, 1000 at most: for liquid that gets faster than its fall and the colliders, or " +
             "whose speed of sound does not follow them. 0: fall and colliders decide.")]
@@ -213,6 +218,12 @@ namespace SphFluid
         /// </summary>
         public bool SleepsAtRest { get => sleepsAtRest; set => sleepsAtRest = value; }
 
+        /// <summary>
+        /// Whether parts of a liquid that rest take no part in the steps while others move, with <see cref="SleepsAtRest"/> and the method
+        /// Standard; see <see cref="FluidSimulation.AsleepShare"/>.
+        /// </summary>
+        public bool PartsSleep { get => partsSleep; set => partsSleep = value; }
+
         /// <summary>Fastest speed to be ready for beyond the fall's [m/s], 0 to 1000; 0: the fall decides.</summary>
         public float ExpectedSpeed { get => Limits.Clamp(expectedSpeed, 0f, FluidSpec.MostSpeed); set => expectedSpeed = value; }
 
@@ -290,6 +301,7 @@ namespace SphFluid
                     MaxSubstepsPerFrame = MaxSubstepsPerFrame,
                     ExpectedSpeed = ExpectedSpeed,
                     SleepsAtRest = sleepsAtRest,
+                    PartsSleep = partsSleep,
                     Gravity = EffectiveGravity,
                     BodyForce = bodyForce,
                     Boundaries = boundaries,

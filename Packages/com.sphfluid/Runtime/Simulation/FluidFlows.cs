@@ -44,6 +44,13 @@ namespace SphFluid
             return false;
         }
 
+        /// <summary>Adds boxes around what drains liquid in the next steps, in simulation space [m].</summary>
+        public void AddDrained(in FluidSpec spec, List<Bounds> boxes)
+        {
+            foreach (DrainZone zone in once) boxes.Add(zone.Bounds);
+            for (int i = 0; i < (spec.Drains?.Count ?? 0); i++) boxes.Add(spec.Drains[i].Zone(spec.WorldToLocal).Bounds);
+        }
+
         /// <summary>Speed of the fastest emitter that is on [m/s]: known before its liquid is there.</summary>
         public double FastestSpeed(in FluidSpec spec)
         {

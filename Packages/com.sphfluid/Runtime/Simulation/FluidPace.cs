@@ -53,6 +53,9 @@ namespace SphFluid
         /// <summary>Whether the liquid rests and takes no steps.</summary>
         public bool IsAsleep => sleep != null && sleep.IsAsleep;
 
+        /// <summary>Part of the particles that stood still some frames ago, 0 to 1; 0 where it is not measured.</summary>
+        public float StillShare => speeds?.StillShare ?? 0f;
+
         /// <summary>The speed that colliders now ask the constants to be made for [m/s].</summary>
         public double Driven { get; private set; }
 
@@ -264,6 +267,7 @@ namespace SphFluid
             if (!now.SleepsAtRest) sleep = null;
             else if (sleep == null) sleep = new SleepWatch(rule, depth);
             else sleep.Configure(rule, depth);
+            solver.State.SetSleep(SleepingParts.RuleFor(now, rule));
         }
 
         private void DropSpeeds()

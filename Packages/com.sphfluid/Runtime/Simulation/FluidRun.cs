@@ -20,6 +20,7 @@ namespace SphFluid
         private readonly FluidPace pace;
         private readonly FluidFlows flows;
         private readonly FluidZones zones;
+        private readonly SleepingParts parts;
         private readonly RigidbodyFloats floats;
         private FluidLiveKey live;
         private Vector3 position;
@@ -41,6 +42,7 @@ namespace SphFluid
             Solver = new FluidSolver(start.Constants, spec.Profile.Shaders, particles, spec.FixedSlots);
             flows = new FluidFlows(Solver, start, report);
             zones = new FluidZones(Solver, start, report);
+            parts = new SleepingParts(Solver);
             commands = new CommandBuffer { name = "SPH Fluid" };
             try
             {
@@ -80,6 +82,9 @@ namespace SphFluid
         public double RealTimeFactor => substeps.RealTimeFactor;
         public long GpuBytes => Solver.GpuBytes + obstacles.GpuBytes + pace.GpuBytes;
         public bool IsAsleep => pace.IsAsleep;
+
+        /// <summary>Part of the particles that takes no part in the steps, as of some frames ago, 0 to 1.</summary>
+        public float AsleepShare => pace.IsAsleep ? 1f : Solver.State.HasSleepers ? pace.StillShare : 0f;
 
         /// <summary>Time since the start [s], that of rest without steps included.</summary>
         public double SimulatedTime => Solver.SimulatedTime + restedTime;
@@ -129,8 +134,9 @@ namespace SphFluid
         private void Advance(in FluidSpec spec, float? frameTime)
         {
             float deltaTime = frameTime ?? 0f;
-            if (WasChanged() | ApplyChanges(spec) | GatherColliders(spec) | Moved(spec) | frameTime == null | flows.Acts(spec) |
-                zones.Waits(spec) | zones.Update(spec, 0.0))
+            bool changed = WasChanged() | ApplyChanges(spec) | Moved(spec);
+            if (changed) Solver.WakeAll();
+            if (changed | GatherColliders(spec) | frameTime == null | flows.Acts(spec) | zones.Waits(spec) | zones.Update(spec, 0.0))
             {
                 pace.Wake();
             }
@@ -148,7 +154,10 @@ namespace SphFluid
             loads.Record(Collision.Solids, spec.DomainSize, deltaTime, moved);
             int steps = frameTime == null ? pace.StepOnce(motion) : pace.Advance(deltaTime, motion, loads);
             flows.Begin(spec, steps * pace.Clock.TimeStep);
-            if (zones.Waits(spec)) zones.Update(spec, steps * pace.Clock.TimeStep);
+            bool pushed = zones.Waits(spec);
+            if (pushed) zones.Update(spec, steps * pace.Clock.TimeStep);
+            parts.Update(spec, Collision.Solids, zones, flows);
+            if (pushed) Solver.WakeKept();
             Execute(steps);
             flows.End(spec, steps);
             if (steps > 0) floats?.Record(obstacles.Bodies.Floating, Solver.SimulatedTime);
@@ -256,7 +265,11 @@ namespace SphFluid
         }
 
         /// <summary>Ends the liquid's sleep.</summary>
-        public void Wake() => pace.Wake();
+        public void Wake()
+        {
+            pace.Wake();
+            Solver.WakeAll();
+        }
 
         /// <summary>Reads all meshes again with the next frame.</summary>
         public void InvalidateColliders() => Collision.Invalidate();

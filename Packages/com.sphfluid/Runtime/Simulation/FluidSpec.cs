@@ -51,6 +51,9 @@ namespace SphFluid
         /// <summary>Whether liquid at rest takes no steps.</summary>
         public bool SleepsAtRest;
 
+        /// <summary>Whether parts of it that rest take no part in the steps either.</summary>
+        public bool PartsSleep;
+
         /// <summary>Gravity that acts, in world space [m/s²].</summary>
         public Vector3 Gravity;
 

@@ -58,7 +58,7 @@ namespace SphFluid
     {
         private readonly Vector3 gravity;
         private readonly FluidTimeStepMode mode;
-        private readonly bool sleeps;
+        private readonly bool sleeps, partsSleep;
         private readonly float fixedTimeStep, expectedSpeed;
         private readonly float maxCompression, soundSpeedRatio;
         private readonly int maxSubsteps, revision, substeps;
@@ -71,6 +71,7 @@ namespace SphFluid
             this.gravity = gravity;
             mode = spec.TimeStepMode;
             sleeps = spec.SleepsAtRest;
+            partsSleep = spec.PartsSleep;
             fixedTimeStep = spec.FixedTimeStep;
             expectedSpeed = spec.ExpectedSpeed;
             maxSubsteps = spec.MaxSubstepsPerFrame;
@@ -90,7 +91,7 @@ namespace SphFluid
         public static FluidLiveKey AsGiven(in FluidSpec spec) => new FluidLiveKey(spec, spec.Gravity);
 
         public bool Equals(FluidLiveKey other) =>
-            AffineMath.Same(gravity, other.gravity) && mode == other.mode && sleeps == other.sleeps &&
+            AffineMath.Same(gravity, other.gravity) && mode == other.mode && sleeps == other.sleeps && partsSleep == other.partsSleep &&
                 fixedTimeStep.Equals(other.fixedTimeStep) &&
             expectedSpeed.Equals(other.expectedSpeed) && maxSubsteps == other.maxSubsteps && revision == other.revision &&
             maxCompression.Equals(other.maxCompression) && soundSpeedRatio.Equals(other.soundSpeedRatio) && substeps == other.substeps &&

@@ -69,6 +69,9 @@ namespace SphFluid
             }
         }
 
+        /// <summary>What pushes the liquid in the next steps.</summary>
+        public IReadOnlyList<ForceZone> Acting => now;
+
         /// <summary>Whether a burst or an impulse waits for the next steps.</summary>
         public bool Waits(in FluidSpec spec)
         {

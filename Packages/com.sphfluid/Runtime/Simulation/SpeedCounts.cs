@@ -57,6 +57,9 @@ namespace SphFluid
             return float.PositiveInfinity;
         }
 
+        /// <summary>Part of the particles that do not move, 0 to 1: the first bin's, below 10⁻⁶ m/s.</summary>
+        public static float StillShare(IReadOnlyList<uint> counts) => counts[Speeds] / (float)Math.Max(1L, Count(counts, Speeds));
+
         /// <summary>How many particles a kind has.</summary>
         public static long Count(IReadOnlyList<uint> counts, int kind)
         {

@@ -46,6 +46,9 @@ namespace SphFluid
             }
         }
 
+        /// <summary>Part of the particles that did not move at all then, 0 to 1.</summary>
+        public float StillShare => slots[next].Still;
+
         /// <summary>Bytes of GPU memory at the start.</summary>
         public static long PlannedBytes => GpuBuffers.BytesOf(SpeedCounts.Size, sizeof(uint));
 
@@ -143,6 +146,7 @@ namespace SphFluid
             public bool Known;
             public int Kept;
             public double Rest;
+            public float Still;
 
             public void Receive(AsyncGPUReadbackRequest request)
             {
@@ -150,14 +154,20 @@ namespace SphFluid
                 Known = true;
                 if (request.hasError) return;
                 request.GetData<uint>().CopyTo(Numbers);
-                Sample = SpeedSample.Evaluate(Numbers, Kept, Rest);
+                Evaluate();
             }
 
             public void Receive(GraphicsBuffer counts)
             {
                 Known = true;
                 counts.GetData(Numbers);
+                Evaluate();
+            }
+
+            private void Evaluate()
+            {
                 Sample = SpeedSample.Evaluate(Numbers, Kept, Rest);
+                Still = SpeedCounts.StillShare(Numbers);
             }
 
             public void Wait()

@@ -49,5 +49,8 @@ namespace SphFluid
 
         /// <summary>Viscosity that is solved for, so that no step is too long for it.</summary>
         ImplicitViscosity = 8192,
+
+        /// <summary>Parts of the liquid that rest take no part in the steps.</summary>
+        SleepingParts = 16384,
     }
 }

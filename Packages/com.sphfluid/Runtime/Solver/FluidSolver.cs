@@ -183,6 +183,18 @@ namespace SphFluid
 
         internal FluidState State => state;
 
+        /// <summary>All that sleeps wakes at once.</summary>
+        internal void WakeAll()
+        {
+            if (state.Wake(true)) recorder.Forget();
+        }
+
+        /// <summary>What sleeps where <see cref="FluidState.KeepAwake"/> keeps liquid awake wakes at once, before the next step.</summary>
+        internal void WakeKept()
+        {
+            if (state.Wake(false)) recorder.Forget();
+        }
+
         /// <summary>Births recorded since the start, whatever becomes of them.</summary>
         internal long BirthCount => recorder.Exchange?.Births.Taken ?? 0;
 

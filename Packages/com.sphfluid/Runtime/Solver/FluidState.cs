@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using UnityEngine;
 using UnityEngine.Rendering;
 
@@ -125,6 +126,24 @@ namespace SphFluid
             Colliders = none ? Published.NoColliders : colliders;
             ColliderCount = none ? 0 : colliderCount;
         }
+
+        /// <summary>Lets parts of the liquid sleep, for methods that can; null: none.</summary>
+        public virtual void SetSleep(SleepRule? rule)
+        {
+        }
+
+        /// <summary>Where the liquid of the next steps is kept awake, in boxes of simulation space [m].</summary>
+        public virtual void KeepAwake(IReadOnlyList<Bounds> boxes)
+        {
+        }
+
+        /// <summary>Whether parts of the liquid may sleep now.</summary>
+        public virtual bool HasSleepers => false;
+
+        /// <summary>What sleeps wakes with the next neighbour setup.</summary>
+        /// <param name="all">Or only what is kept awake.</param>
+        /// <returns>Whether anything may sleep.</returns>
+        public virtual bool Wake(bool all) => false;
 
         /// <summary>Records the list of neighbours, or one of length 0, for a kernel that reads it.</summary>
         public virtual void BindNeighbourList(CommandBuffer cmd, ComputeKernel kernel) =>

@@ -47,6 +47,9 @@ namespace SphFluid
             Centre = new Vector4(position.x, position.y, position.z, Centre.w);
         }
 
+        /// <summary>A box around it [m].</summary>
+        public readonly Bounds Bounds => new Bounds(Centre, 2f * (((Vector3)Core).magnitude + Core.w) * Vector3.one);
+
         public readonly bool Equals(ForceZone other) => rowX.Equals(other.rowX) && rowY.Equals(other.rowY) && rowZ.Equals(other.rowZ) &&
             Core.Equals(other.Core) &&
             Uniform.Equals(other.Uniform) && Centre.Equals(other.Centre) && Axis.Equals(other.Axis) && Wind.Equals(other.Wind) &&

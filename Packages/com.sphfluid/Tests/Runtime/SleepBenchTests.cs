@@ -42,13 +42,12 @@ namespace SphFluid.Tests
                 body.transform.localScale = Vector3.one * 6 * dx;
                 body.transform.position = new Vector3(-(n / 2 - 8) * dx, (h / 2f - 4) * dx, -(n / 2 - 8) * dx);
             }
-            simulation.SleepsAtRest = false;
+            simulation.SleepsAtRest = simulation.PartsSleep = Env("SLEEP", 1f) > 0f;
             float unit = Mathf.Sqrt(9.81f * dx);
             bool sleeps = Env("SLEEP", 1f) > 0f;
             while (!simulation.IsRunning) yield return null;
             var state = (CellState)simulation.Solver.State;
-            float drift = Env("DRIFT", 0.02f) * unit;
-            if (sleeps) state.Sleep = new SleepBricks(state.Cells) { Rule = new SleepRule(Env("FAST", 0.1f) * unit, drift, Env("CALM", 1f), Env("TAU", 1f) * Mathf.Sqrt(dx / 9.81f), Env("STILL", 0.01f) * unit) };
+            yield return null;
             if (sleeps) Console.Error.WriteLine($"bricks {state.Sleep.Counts} side {state.Sleep.Side}");
             double last = 0;
             long steps = 0;
@@ -61,12 +60,11 @@ namespace SphFluid.Tests
                 if (body != null && simulation.SimulatedTime > Env("START", 3f))
                 {
                     body.transform.position = corner + Vector3.up * (bob * dx * Mathf.Sin(((float)simulation.SimulatedTime - Env("START", 3f)) * Env("OMEGA", 4f)));
-                    if (sleeps) state.Sleep.SetBoxes(new[] { new Bounds(body.transform.position, body.transform.localScale + Vector3.one * 4 * dx) });
                 }
                 if (sleeps && simulation.SimulatedTime > Env("WAKE", 1000f) && !woken)
                 {
                     woken = true;
-                    state.Sleep.IsNew = true;
+                    simulation.Wake();
                 }
                 yield return null;
                 if (simulation.SimulatedTime < last + (simulation.SimulatedTime > Env("FINE", 1000f) ? 0.01 : 0.5)) continue;
@@ -92,8 +90,8 @@ namespace SphFluid.Tests
                 {
                     uint[] words = GpuTest.Read<uint>(state.Sleep.Bricks, state.Sleep.Total * SleepBricks.Words);
                     int asleep = 0;
-                    for (int i = 0; i < state.Sleep.Total; i++) asleep += words[i * 8 + 6] == 2u ? 1 : 0;
-                    sleepers = $"asleep {asleep} of {state.Sleep.Total}, {particles.Count(p => p.VelT0 == Vector3.zero)} of {particles.Length} particles";
+                    for (int i = 0; i < state.Sleep.Total; i++) asleep += words[i * SleepBricks.Words + SleepBricks.State] == SleepBricks.Asleep ? 1 : 0;
+                    sleepers = $"asleep {asleep} of {state.Sleep.Total}, {particles.Count(p => p.VelT0 == Vector3.zero)} of {particles.Length} particles share {simulation.AsleepShare:F3}";
                 }
                 float Q(float[] a, double q) => a.Length == 0 ? 0 : a[Math.Min(a.Length - 1, (int)(q * a.Length))];
                 double energy = particles.Sum(p => 0.5 * p.VelT0.sqrMagnitude + 9.81 * p.Position.y) / particles.Length;

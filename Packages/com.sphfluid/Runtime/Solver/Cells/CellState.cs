@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using UnityEngine;
 using UnityEngine.Rendering;
 
 namespace SphFluid
@@ -42,7 +43,36 @@ namespace SphFluid
         public CellBuffers Buffers { get; }
 
         /// <summary>Which parts of the liquid sleep; null: none do.</summary>
-        public SleepBricks Sleep { get; set; }
+        public SleepBricks Sleep { get; private set; }
+
+        /// <summary>Whether the method's passes leave out particles that sleep, with the forces that act.</summary>
+        public virtual bool SleepsInParts => false;
+
+        /// <inheritdoc/>
+        public override void SetSleep(SleepRule? rule)
+        {
+            if (rule is SleepRule given && SleepsInParts)
+            {
+                Sleep ??= new SleepBricks(Cells);
+                if (!Sleep.Rule.Equals(given)) Sleep.Rule = given;
+                return;
+            }
+            if (Sleep != null) Retired.Add(Sleep);
+            Sleep = null;
+        }
+
+        /// <inheritdoc/>
+        public override void KeepAwake(IReadOnlyList<Bounds> boxes) => Sleep?.SetBoxes(boxes);
+
+        /// <inheritdoc/>
+        public override bool HasSleepers => Sleep != null && SleepsInParts;
+
+        /// <inheritdoc/>
+        public override bool Wake(bool all)
+        {
+            Sleep?.Wake(all);
+            return HasSleepers;
+        }
 
         /// <summary>What triangles need; null where there never were any.</summary>
         public MeshWallBuffers Walls { get; private set; }
@@ -83,7 +113,7 @@ namespace SphFluid
         public float ListTime { get; set; }
 
         /// <inheritdoc/>
-        protected override long OwnBytes => Buffers.Bytes + (Walls?.Bytes ?? 0) + (List?.Bytes ?? 0);
+        protected override long OwnBytes => Buffers.Bytes + (Walls?.Bytes ?? 0) + (List?.Bytes ?? 0) + (Sleep?.Bytes ?? 0);
 
         /// <summary>Makes <see cref="Walls"/>, if they are not there.</summary>
         public void RequireWalls() => Walls ??= new MeshWallBuffers(Capacity, IsPlanned);

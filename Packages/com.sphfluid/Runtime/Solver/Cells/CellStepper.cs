@@ -69,6 +69,9 @@ namespace SphFluid
         /// <summary>The walls of triangles near each particle.</summary>
         protected GatherWallsPass GatherWalls { get; }
 
+        /// <summary>Parts of the liquid that sleep.</summary>
+        protected SleepParticlesPass Sleeping => sleepParticles ??= new SleepParticlesPass(Shaders);
+
         /// <summary>Bodies that the liquid moves.</summary>
         protected MoveBodiesPass MoveBodies { get; }
 
@@ -77,7 +80,7 @@ namespace SphFluid
         {
             if (Cells.Sparse.AreUsed) rankCells.RecordLoad(cmd, Cells);
             loadParticles.Record(cmd, Cells);
-            if (Cells.Sleep != null) Cells.Sleep.IsNew = true;
+            Cells.Wake(true);
             Order = ParticleOrder.Counted;
         }
 
@@ -133,7 +136,7 @@ namespace SphFluid
             if (Cells.Sparse.AreUsed) rankCells.Record(cmd, Cells);
             else scanCells.Record(cmd, Cells);
             scatterParticles.Record(cmd, Cells);
-            if (Cells.Sleep != null) (sleepParticles ??= new SleepParticlesPass(Shaders)).Record(cmd, Cells);
+            if (Cells.HasSleepers) Sleeping.Record(cmd, Cells);
             Order = ParticleOrder.Sorted;
             SetupCount++;
         }

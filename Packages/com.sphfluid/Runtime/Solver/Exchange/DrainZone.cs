@@ -38,6 +38,24 @@ namespace SphFluid
             pad = 0u;
         }
 
+        /// <summary>A box around it [m]; without a volume a point.</summary>
+        public readonly Bounds Bounds
+        {
+            get
+            {
+                var toZone = Matrix4x4.identity;
+                toZone.SetRow(0, row0);
+                toZone.SetRow(1, row1);
+                toZone.SetRow(2, row2);
+                if (!AffineMath.TryInvert(toZone, out Matrix4x4 frame)) return default;
+                float high = isBox != 0u ? 1f : 1f + length;
+                Vector3 x = frame.GetColumn(0), y = high * frame.GetColumn(1), z = frame.GetColumn(2);
+                Vector3 extents = Vector3.zero;
+                for (int axis = 0; axis < 3; axis++) extents[axis] = Mathf.Abs(x[axis]) + Mathf.Abs(y[axis]) + Mathf.Abs(z[axis]);
+                return new Bounds(frame.GetColumn(3), 2f * extents);
+            }
+        }
+
         /// <summary>The same, counting what leaves for a source.</summary>
         internal readonly DrainZone CountedAt(int place)
         {

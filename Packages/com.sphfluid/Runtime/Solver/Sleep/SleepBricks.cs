@@ -4,54 +4,98 @@ using UnityEngine;
 
 namespace SphFluid
 {
-    /// <summary>Bricks of cells whose particles sleep together, Shaders/Solver/Sleep/SleepParticles.compute.</summary>
+    /// <summary>
+    /// Bricks of cells whose particles fall asleep and wake together, and what keeps them awake: Shaders/Solver/Sleep/SleepParticles.compute.
+    /// </summary>
     internal sealed class SleepBricks : BufferSet
     {
-        /// <summary>BRICK_WORDS.</summary>
-        public const int Words = 8;
+        /// <summary>BRICK_WORDS in Shaders/Solver/Sleep/SleepParticles.compute, and which of them says that a brick sleeps, by 2.</summary>
+        public const int Words = 10, State = 6, Asleep = 2;
 
+        /// <summary>Boxes that keep bricks awake; what there is more is in the last.</summary>
+        public const int MostBoxes = 64;
+
+        // Cells of a brick's side: less than four are a few layers, whose means tremble. In large domains bricks are larger.
         private const int LeastSide = 4;
         private const long MostBricks = 1 << 18;
 
-        public SleepBricks(in CellRows cells)
+        /// <summary>For each brick <see cref="Words"/>.</summary>
+        public readonly FluidBuffer Bricks;
+
+        /// <summary>Lower and upper corner of each box [m].</summary>
+        public readonly FluidBuffer AwakeBoxes;
+
+        private readonly Vector4[] corners = new Vector4[2 * MostBoxes];
+
+        /// <param name="cells">The cells, with a border that no brick has.</param>
+        /// <param name="isPlanned">Whether only the buffers' sizes are asked for.</param>
+        public SleepBricks(in CellRows cells, bool isPlanned = false) : base(isPlanned)
         {
+            Vector3Int inner = cells.Counts - 2 * Vector3Int.one;
             Side = LeastSide;
-            while (CountOf(cells, Side, out Vector3Int counts) > MostBricks) Side++;
-            Total = (int)CountOf(cells, Side, out Vector3Int fitting);
-            Counts = fitting;
-            Bricks = Add("Bricks", (long)Total * Words, sizeof(uint));
+            while (CountOf(inner, Side) > MostBricks) Side++;
+            Counts = new Vector3Int(Parts(inner.x, Side), Parts(inner.y, Side), Parts(inner.z, Side));
+            Total = Counts.x * Counts.y * Counts.z;
+            Bricks = Add("SleepBricks", (long)Total * Words, sizeof(uint));
             AwakeBoxes = Add("AwakeBoxes", 2 * MostBoxes, 4 * sizeof(float));
         }
 
-        public const int MostBoxes = 64;
-        public readonly FluidBuffer Bricks;
-        public readonly FluidBuffer AwakeBoxes;
+        /// <summary>Cells of a brick's side.</summary>
         public int Side { get; }
+
+        /// <summary>Bricks along each axis.</summary>
         public Vector3Int Counts { get; }
+
+        /// <summary>Those, and the side.</summary>
+        public int[] Shape => new[] { Counts.x, Counts.y, Counts.z, Side };
+
+        /// <summary>Bricks in all.</summary>
         public int Total { get; }
 
+        /// <summary>When they sleep.</summary>
         public SleepRule Rule { get; set; }
+
+        /// <summary>Time that the steps since the last sort took [s].</summary>
         public float SinceSort { get; set; }
-        public bool IsNew { get; set; } = true;
+
+        /// <summary>Whether all are to wake with the next pass.</summary>
+        public bool AllWake { get; private set; } = true;
+
+        /// <summary>Whether those or the ones that are kept awake are.</summary>
+        public bool WakesNow { get; private set; } = true;
+
+        /// <summary>The square of the speed of sound for which the densities of what sleeps are [m²/s²].</summary>
+        public float Stiffness { get; set; }
+
+        /// <summary>Number of boxes that keep liquid awake.</summary>
         public int BoxCount { get; private set; }
 
+        /// <summary>Bricks wake with the next pass.</summary>
+        /// <param name="all">All, or those that are kept awake.</param>
+        public void Wake(bool all) => (AllWake, WakesNow) = (AllWake || all, true);
+
+        /// <summary>They have.</summary>
+        public void Woke() => AllWake = WakesNow = false;
+
+        /// <summary>Takes over where liquid is kept awake.</summary>
+        /// <param name="boxes">In simulation space [m].</param>
         public void SetBoxes(IReadOnlyList<Bounds> boxes)
         {
-            var corners = new Vector4[2 * MostBoxes];
-            BoxCount = boxes.Count;
-            for (int i = 0; i < BoxCount; i++)
+            if (boxes.Count == 0 && BoxCount == 0) return;
+            BoxCount = Math.Min(boxes.Count, MostBoxes);
+            for (int i = 0; i < boxes.Count; i++)
             {
-                corners[2 * i] = boxes[i].min;
-                corners[2 * i + 1] = boxes[i].max;
+                int place = 2 * Math.Min(i, MostBoxes - 1);
+                bool joins = i >= MostBoxes;
+                corners[place] = joins ? Vector4.Min(corners[place], boxes[i].min) : (Vector4)boxes[i].min;
+                corners[place + 1] = joins ? Vector4.Max(corners[place + 1], boxes[i].max) : (Vector4)boxes[i].max;
             }
             AwakeBoxes.SetData(corners);
         }
 
-        private static long CountOf(in CellRows cells, int side, out Vector3Int counts)
-        {
-            Vector3Int inner = cells.Counts - 2 * Vector3Int.one;
-            counts = new Vector3Int((inner.x + side - 1) / side, (inner.y + side - 1) / side, (inner.z + side - 1) / side);
-            return (long)counts.x * counts.y * counts.z;
-        }
+        private static int Parts(int cells, int side) => (cells + side - 1) / side;
+
+        private static long CountOf(Vector3Int cells, int side) =>
+            (long)Parts(cells.x, side) * Parts(cells.y, side) * Parts(cells.z, side);
     }
 }

@@ -1,3 +1,4 @@
+using UnityEngine;
 using UnityEngine.Rendering;
 
 namespace SphFluid
@@ -9,63 +10,102 @@ namespace SphFluid
         private static readonly int BrickTotal = Id("_BrickTotal");
         private static readonly int AwakeBoxCount = Id("_AwakeBoxCount");
         private static readonly int SpeedUnit = Id("_SpeedUnit");
-        private static readonly int FastSquared = Id("_FastSquared");
-        private static readonly int DriftSquared = Id("_DriftSquared");
+        private static readonly int CalmUnits = Id("_CalmUnits");
+        private static readonly int MostDrift = Id("_MostDrift");
+        private static readonly int DriftTime = Id("_DriftTime");
         private static readonly int SinceSort = Id("_SinceSort");
         private static readonly int CalmTime = Id("_CalmTime");
+        private static readonly int StillTime = Id("_StillTime");
+        private static readonly int Slowing = Id("_Slowing");
+        private static readonly int Softened = Id("_Softened");
+        private static readonly int RestDensity = Id("_RestDensity");
+        private static readonly int SupportSquared = Id("_SupportSquared");
 
-        private const float UnitsOfDrift = 16f;
+        // Units of velocity in the speed of a still brick: the least that is told apart.
+        private const float StillUnits = 2f;
 
-        private readonly ComputeKernel clear, mark, judge, spread;
+        private readonly ComputeKernel clear, wake, mark, judge, spread;
 
         public SleepParticlesPass(FluidShaderSet shaders)
             : base(shaders, "SleepParticles")
         {
             clear = Kernel("ClearSleep");
+            wake = Kernel("WakeSleepers");
             mark = Kernel("MarkSleepers");
             judge = Kernel("JudgeBricks");
             spread = Kernel("SpreadSleep");
         }
 
+        /// <summary>Behind a sort.</summary>
         public void Record(CommandBuffer cmd, CellState state)
         {
             SleepBricks bricks = state.Sleep;
-            SleepRule rule = bricks.Rule;
             using (Sample(cmd))
             {
-                if (bricks.IsNew)
-                {
-                    Bind(cmd, clear, state);
-                    clear.DispatchThreads(cmd, bricks.Total * SleepBricks.Words);
-                    bricks.IsNew = false;
-                }
-                Bind(cmd, mark, state);
-                CellBindings.SetCells(cmd, mark, state);
-                mark.SetFloat(cmd, SpeedUnit, rule.Drift / UnitsOfDrift);
-                mark.SetOut(cmd, state.Buffers.Positions);
-                mark.SetOut(cmd, state.Buffers.Velocities);
-                mark.Set(cmd, state.Buffers.PositionTerms);
-                mark.SetFloat(cmd, Id("_Drowsy"), UnityEngine.Mathf.Exp(-bricks.SinceSort / rule.Tau));
-                mark.DispatchThreads(cmd, state.ParticleCount);
-                Bind(cmd, judge, state);
-                CellBindings.SetCells(cmd, judge, state.Cells);
-                judge.SetInt(cmd, AwakeBoxCount, bricks.BoxCount);
-                judge.SetFloat(cmd, SpeedUnit, rule.Drift / UnitsOfDrift);
-                judge.SetFloat(cmd, FastSquared, rule.Fastest * rule.Fastest);
-                judge.SetFloat(cmd, DriftSquared, rule.Drift * rule.Drift);
-                judge.SetFloat(cmd, SinceSort, bricks.SinceSort);
-                judge.SetFloat(cmd, CalmTime, rule.CalmTime);
-                judge.Set(cmd, bricks.AwakeBoxes);
-                judge.SetFloat(cmd, Id("_StillSquared"), rule.Still * rule.Still);
-                judge.SetFloat(cmd, Id("_DrowsyFrom"), rule.CalmTime - 5f * rule.Tau);
-                judge.DispatchThreads(cmd, bricks.Total);
-                Bind(cmd, spread, state);
-                DomainBindings.SetPeriodic(cmd, spread, state.Settings);
-                spread.SetFloat(cmd, CalmTime, rule.CalmTime);
-                spread.SetFloat(cmd, Id("_DrowsyFrom"), rule.CalmTime - 5f * rule.Tau);
-                spread.DispatchThreads(cmd, bricks.Total);
+                if (bricks.WakesNow) WakeBricks(cmd, state);
+                RecordMarks(cmd, state);
+                RecordJudgement(cmd, state, bricks.SinceSort);
             }
             bricks.SinceSort = 0f;
+        }
+
+        /// <summary>Wakes the particles of the bricks that are to wake, between two sorts.</summary>
+        public void RecordWake(CommandBuffer cmd, CellState state)
+        {
+            using (Sample(cmd))
+            {
+                WakeBricks(cmd, state);
+                Bind(cmd, wake, state);
+                CellBindings.SetCells(cmd, wake, state);
+                wake.SetFloat(cmd, SupportSquared, state.Settings.SupportRadius * state.Settings.SupportRadius);
+                wake.SetOut(cmd, state.Buffers.Positions);
+                wake.DispatchThreads(cmd, state.ParticleCount);
+            }
+        }
+
+        private void WakeBricks(CommandBuffer cmd, CellState state)
+        {
+            if (state.Sleep.AllWake)
+            {
+                Bind(cmd, clear, state);
+                clear.DispatchThreads(cmd, state.Sleep.Total * SleepBricks.Words);
+            }
+            else RecordJudgement(cmd, state, 0f);
+            state.Sleep.Woke();
+        }
+
+        private void RecordMarks(CommandBuffer cmd, CellState state)
+        {
+            SleepRule rule = state.Sleep.Rule;
+            Bind(cmd, mark, state);
+            CellBindings.SetCells(cmd, mark, state);
+            mark.SetFloat(cmd, Slowing, Mathf.Exp(-state.Sleep.SinceSort / rule.FadeTime));
+            float stiffness = state.Settings.SoundSpeed * state.Settings.SoundSpeed;
+            mark.SetFloat(cmd, Softened, state.Sleep.Stiffness > 0f ? state.Sleep.Stiffness / stiffness : 1f);
+            mark.SetFloat(cmd, RestDensity, state.Settings.RestDensity);
+            state.Sleep.Stiffness = stiffness;
+            mark.SetOut(cmd, state.Buffers.Positions);
+            mark.SetOut(cmd, state.Buffers.Velocities);
+            mark.Set(cmd, state.Buffers.PositionTerms);
+            mark.DispatchThreads(cmd, state.ParticleCount);
+        }
+
+        private void RecordJudgement(CommandBuffer cmd, CellState state, float since)
+        {
+            SleepRule rule = state.Sleep.Rule;
+            float unit = Unit(rule);
+            Bind(cmd, judge, state);
+            CellBindings.SetCells(cmd, judge, state.Cells);
+            judge.SetVector(cmd, CalmUnits, new Vector3(Square(rule.JitterSpeed / unit), Square(rule.DriftSpeed / unit), Square(StillUnits)));
+            judge.SetInt(cmd, AwakeBoxCount, state.Sleep.BoxCount);
+            judge.SetFloat(cmd, MostDrift, rule.MostDrift);
+            judge.SetFloat(cmd, DriftTime, rule.DriftTime);
+            judge.SetFloat(cmd, SinceSort, since);
+            judge.Set(cmd, state.Sleep.AwakeBoxes);
+            judge.DispatchThreads(cmd, state.Sleep.Total);
+            Bind(cmd, spread, state);
+            DomainBindings.SetPeriodic(cmd, spread, state.Settings);
+            spread.DispatchThreads(cmd, state.Sleep.Total);
         }
 
         private static void Bind(CommandBuffer cmd, ComputeKernel kernel, CellState state)
@@ -73,7 +113,14 @@ namespace SphFluid
             SleepBricks bricks = state.Sleep;
             kernel.SetOut(cmd, bricks.Bricks);
             kernel.SetInt(cmd, BrickTotal, bricks.Total);
-            kernel.SetInts(cmd, BrickCounts, new[] { bricks.Counts.x, bricks.Counts.y, bricks.Counts.z, bricks.Side });
+            kernel.SetInts(cmd, BrickCounts, bricks.Shape);
+            kernel.SetFloat(cmd, SpeedUnit, Unit(bricks.Rule));
+            kernel.SetFloat(cmd, CalmTime, bricks.Rule.CalmTime);
+            kernel.SetFloat(cmd, StillTime, bricks.Rule.StillTime);
         }
+
+        private static float Unit(in SleepRule rule) => rule.StillSpeed / StillUnits;
+
+        private static float Square(float value) => value * value;
     }
 }

@@ -25,7 +25,8 @@ namespace SphFluid
         public override FluidMethodFeatures Features => FluidMethodFeatures.OpenFaces | FluidMethodFeatures.BodyContact |
             FluidMethodFeatures.ColliderFriction | FluidMethodFeatures.RelaxedStart | FluidMethodFeatures.FollowingSoundSpeed |
             FluidMethodFeatures.KeptNeighbours | FluidMethodFeatures.ChangingCount |
-            FluidMethodFeatures.ForceZones | FluidMethodFeatures.WallForces | FluidMethodFeatures.ImplicitViscosity | ForceFeatures;
+            FluidMethodFeatures.ForceZones | FluidMethodFeatures.WallForces | FluidMethodFeatures.ImplicitViscosity |
+            FluidMethodFeatures.SleepingParts | ForceFeatures;
 
         public override FluidMethodFeatures ForceFeatures => StandardForces.Features;
 

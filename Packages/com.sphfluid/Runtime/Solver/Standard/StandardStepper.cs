@@ -77,6 +77,11 @@ namespace SphFluid
                 Order = ParticleOrder.Kept;
             }
 
+            if (isAnew && state.HasSleepers && state.Sleep.WakesNow)
+            {
+                Sleeping.RecordWake(cmd, state);
+                listed = null; // what slept has no list
+            }
             bool isKept = state.KeepsOrder = Order == ParticleOrder.Kept;
             if (state.HasBodies)
             {

@@ -7,6 +7,8 @@
 #define SLEEPER_SCALE -1099511627776.0 // -2^40, so that no bit of the density is lost
 #define SLEEPER 0xffffffffu
 
+#define INSIDE_LIQUID -16.0 // R^2: how far one looks ahead that is not at a surface
+
 // kg/m^3 of one that sleeps, else 0.
 float SleepingDensity(float ahead)
 {

@@ -44,12 +44,18 @@ namespace SphFluid
         {
             double acceleration = LiquidPotential.Acceleration(settings);
             speedLimit = QuietSpeed * Math.Sqrt(acceleration * settings.Spacing);
-            double viscosity = settings.Viscosity / settings.RestDensity;
-            double thin = Math.Min(1.0, ThinViscosity * settings.SoundSpeed * settings.SupportRadius / Math.Max(viscosity, 1e-12));
+            double thin = Thinness(settings);
             halfLimit = HalfDistance * thin * settings.Spacing;
             bulkLimit = BulkDistance * thin * settings.Spacing;
             farthestLimit = LongestDistance * thin * settings.Spacing;
             holdTime = Math.Max(LeastTime, Periods * LiquidPotential.LongestPeriod(settings, depth));
+        }
+
+        /// <summary>1 of liquid that is as thin as the method can have it; less of one that is meant to creep, in proportion.</summary>
+        public static double Thinness(in FluidSolverSettings settings)
+        {
+            double viscosity = settings.Viscosity / settings.RestDensity;
+            return Math.Min(1.0, ThinViscosity * settings.SoundSpeed * settings.SupportRadius / Math.Max(viscosity, 1e-12));
         }
 
         /// <summary>Something touched the liquid.</summary>
