@@ -161,6 +161,8 @@ namespace SphFluid
 
         /// <summary>A liquid volume is drawn out to walls of its domain that it nearly reaches.</summary>
         VolumeDrawnOut,
+        /// <summary>Parts of a liquid are to sleep, and its method, its forces or another setting keep all of it awake.</summary>
+        PartsStayAwake,
     }
 
     /// <summary>

@@ -77,7 +77,11 @@ namespace SphFluid
                 CellChecks.Check(spec, messages);
             }
             if (HasErrors(messages) || !TryDerive(spec, start, messages)) start = null;
-            if (start != null) TimeStepChecks.Check(spec, start.Constants, messages);
+            if (start != null)
+            {
+                TimeStepChecks.Check(spec, start.Constants, messages);
+                SleepChecks.Check(spec, messages);
+            }
             return messages.OrderByDescending(m => m.Severity).ToList();
         }
 

@@ -102,5 +102,44 @@ namespace SphFluid.Tests
             }
             if (body != null) UnityEngine.Object.DestroyImmediate(body);
         }
+
+        [UnityTest, Explicit]
+        public IEnumerator Wave()
+        {
+            int n = (int)Env("N", 120), h = (int)Env("H", 16), w = (int)Env("W", 10);
+            float dx = 0.05f, start = Env("START", 4.5f);
+            FluidSimulation simulation = rig.Create(liquid: false);
+            simulation.Spacing = dx;
+            simulation.DomainSize = new Vector3(n * dx, (h + 10) * dx, w * dx);
+            FluidVolume pool = rig.AddVolume(simulation, "Pool");
+            pool.Size = new Vector3(n * dx, h * dx, w * dx);
+            pool.transform.localPosition = new Vector3(0f, -5 * dx, 0f);
+            GameObject body = GameObject.CreatePrimitive(PrimitiveType.Cube);
+            body.layer = SimulationRig.Layer;
+            body.transform.localScale = new Vector3(6, 20, w + 2) * dx;
+            Vector3 left = new Vector3(-n / 2f - 2, -3, 0) * dx;
+            body.transform.position = left;
+            simulation.SleepsAtRest = simulation.PartsSleep = Env("SLEEP", 1f) > 0f;
+            float push = Env("PUSH", 2f);
+            double rest = 0;
+            while (!simulation.IsRunning) yield return null;
+            while (simulation.SimulatedTime < start + Env("LONG", 3f))
+            {
+                float t = Mathf.Clamp01(((float)simulation.SimulatedTime - start) / Env("RISE", 0.5f));
+                body.transform.position = left + Vector3.right * (push * dx * (t - Mathf.Sin(2 * Mathf.PI * t) / (2 * Mathf.PI)));
+                yield return null;
+                if (simulation.SimulatedTime < start - 0.3) continue;
+                FluidParticle[] particles = SimulationRig.Read(simulation);
+                string line = "";
+                foreach (float at in new[] { 0.3f, 0.6f, 0.85f })
+                {
+                    float x = (at - 0.5f) * n * dx;
+                    line += $" {particles.Where(p => Mathf.Abs(p.Position.x - x) < 3 * dx).Average(p => (double)p.Position.y) * 2 / dx:F4}";
+                }
+                double energy = particles.Sum(p => 0.5 * p.VelT0.sqrMagnitude + 9.81 * p.Position.y) / particles.Length;
+                Console.Error.WriteLine($"W {simulation.SimulatedTime - start:F3}{line} E {energy:F5} asleep {particles.Count(p => p.VelT0 == Vector3.zero) / (float)particles.Length:F3} max {particles.Max(p => p.VelT0.magnitude):F3}");
+            }
+            UnityEngine.Object.DestroyImmediate(body);
+        }
     }
 }
