@@ -7,7 +7,7 @@ namespace SphFluid
         public static readonly ShaderGroup Group = new ShaderGroup("the sort by cells", "Shaders/Solver/Cells",
             groupThreads: 256, buffers: 10, writableBuffers: 7, groupMemory: 11520, vertexBuffers: 0,
             "LoadParticles", "ScanCells", "RankCells", "ScatterParticles", "GatherWalls", "MoveBodies", "FindContacts", "ResolveContacts",
-            "DampVelocities", "SleepParticles",
+            "SleepParticles", "DampVelocities",
             "PublishParticles", "DrainParticles", "BirthParticles", "GrowParticles");
     }
 }

@@ -8,7 +8,6 @@ namespace SphFluid
     {
         private static readonly int BrickCounts = Id("_BrickCounts");
         private static readonly int BrickTotal = Id("_BrickTotal");
-        private static readonly int AwakeBoxCount = Id("_AwakeBoxCount");
         private static readonly int SpeedUnit = Id("_SpeedUnit");
         private static readonly int CalmUnits = Id("_CalmUnits");
         private static readonly int MostDrift = Id("_MostDrift");
@@ -24,12 +23,11 @@ namespace SphFluid
         // Units of velocity in the speed of a still brick: the least that is told apart.
         private const float StillUnits = 2f;
 
-        private readonly ComputeKernel clear, wake, mark, judge, spread;
+        private readonly ComputeKernel wake, mark, judge, spread;
 
         public SleepParticlesPass(FluidShaderSet shaders)
             : base(shaders, "SleepParticles")
         {
-            clear = Kernel("ClearSleep");
             wake = Kernel("WakeSleepers");
             mark = Kernel("MarkSleepers");
             judge = Kernel("JudgeBricks");
@@ -65,12 +63,7 @@ namespace SphFluid
 
         private void WakeBricks(CommandBuffer cmd, CellState state)
         {
-            if (state.Sleep.AllWake)
-            {
-                Bind(cmd, clear, state);
-                clear.DispatchThreads(cmd, state.Sleep.Total * SleepBricks.Words);
-            }
-            else RecordJudgement(cmd, state, 0f);
+            RecordJudgement(cmd, state, 0f);
             state.Sleep.Woke();
         }
 
@@ -96,8 +89,8 @@ namespace SphFluid
             float unit = Unit(rule);
             Bind(cmd, judge, state);
             CellBindings.SetCells(cmd, judge, state.Cells);
-            judge.SetVector(cmd, CalmUnits, new Vector3(Square(rule.JitterSpeed / unit), Square(rule.DriftSpeed / unit), Square(StillUnits)));
-            judge.SetInt(cmd, AwakeBoxCount, state.Sleep.BoxCount);
+            var calm = new Vector3(Square(rule.JitterSpeed / unit), Square(rule.DriftSpeed / unit), Square(StillUnits));
+            judge.SetVector(cmd, CalmUnits, state.Sleep.AllWake ? -Vector3.one : calm);
             judge.SetFloat(cmd, MostDrift, rule.MostDrift);
             judge.SetFloat(cmd, DriftTime, rule.DriftTime);
             judge.SetFloat(cmd, SinceSort, since);

@@ -5,11 +5,11 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>
-    /// Bricks of cells whose particles fall asleep and wake together, and what keeps them awake: Shaders/Solver/Sleep/SleepParticles.compute.
+    /// Bricks of cells whose particles fall asleep and wake together, and what keeps them awake: Shaders/Solver/Cells/Sleep/SleepParticles.compute.
     /// </summary>
     internal sealed class SleepBricks : BufferSet
     {
-        /// <summary>BRICK_WORDS in Shaders/Solver/Sleep/SleepParticles.compute, and which of them says that a brick sleeps, by 2.</summary>
+        /// <summary>BRICK_WORDS in Shaders/Solver/Cells/Sleep/SleepParticles.compute, and which of them says that a brick sleeps, by 2.</summary>
         public const int Words = 10, State = 6, Asleep = 2;
 
         /// <summary>Boxes that keep bricks awake; what there is more is in the last.</summary>
@@ -22,7 +22,7 @@ namespace SphFluid
         /// <summary>For each brick <see cref="Words"/>.</summary>
         public readonly FluidBuffer Bricks;
 
-        /// <summary>Lower and upper corner of each box [m].</summary>
+        /// <summary>Lower and upper corner of each box [m]; the first w is their number.</summary>
         public readonly FluidBuffer AwakeBoxes;
 
         private readonly Vector4[] corners = new Vector4[2 * MostBoxes];
@@ -38,6 +38,7 @@ namespace SphFluid
             Total = Counts.x * Counts.y * Counts.z;
             Bricks = Add("SleepBricks", (long)Total * Words, sizeof(uint));
             AwakeBoxes = Add("AwakeBoxes", 2 * MostBoxes, 4 * sizeof(float));
+            AwakeBoxes.SetData(corners);
         }
 
         /// <summary>Cells of a brick's side.</summary>
@@ -67,8 +68,6 @@ namespace SphFluid
         /// <summary>The square of the speed of sound for which the densities of what sleeps are [m²/s²].</summary>
         public float Stiffness { get; set; }
 
-        /// <summary>Number of boxes that keep liquid awake.</summary>
-        public int BoxCount { get; private set; }
 
         /// <summary>Bricks wake with the next pass.</summary>
         /// <param name="all">All, or those that are kept awake.</param>
@@ -81,8 +80,7 @@ namespace SphFluid
         /// <param name="boxes">In simulation space [m].</param>
         public void SetBoxes(IReadOnlyList<Bounds> boxes)
         {
-            if (boxes.Count == 0 && BoxCount == 0) return;
-            BoxCount = Math.Min(boxes.Count, MostBoxes);
+            if (boxes.Count == 0 && corners[0].w == 0f) return;
             for (int i = 0; i < boxes.Count; i++)
             {
                 int place = 2 * Math.Min(i, MostBoxes - 1);
@@ -90,6 +88,7 @@ namespace SphFluid
                 corners[place] = joins ? Vector4.Min(corners[place], boxes[i].min) : (Vector4)boxes[i].min;
                 corners[place + 1] = joins ? Vector4.Max(corners[place + 1], boxes[i].max) : (Vector4)boxes[i].max;
             }
+            corners[0].w = Math.Min(boxes.Count, MostBoxes);
             AwakeBoxes.SetData(corners);
         }
 
