@@ -161,10 +161,7 @@ namespace SphFluid
             double asked = Follows(spec) ? Math.Max(speeds.Sample.Head, bodySpeed) : reference.Most;
             gainInFrame = Gain(deltaTime);
             double spare = SpareSpeed.For(deltaTime, asked, reference.Most, spec.MaxSubstepsPerFrame, stepAt);
-            if (reference.Update(asked, deltaTime, Driven, Math.Min(loaded, Driven), leap, spare))
-            {
-                solver.ApplySettings(AtReference());
-            }
+            if (reference.Update(asked, deltaTime, Driven, Math.Min(loaded, Driven), leap, spare)) solver.ApplySettings(AtReference());
         }
 
         /// <summary>Records what the next frames go by, after a frame's steps and the neighbour setup.</summary>
