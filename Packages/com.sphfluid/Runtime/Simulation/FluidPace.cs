@@ -28,12 +28,14 @@ namespace SphFluid
         private readonly FluidStart start;
         private readonly Func<int> keepPlaces;
         private readonly Action forgetPlaces;
+        private readonly Func<double, double> stepAt; // by the speed that the constants are made for
         private FluidSpec spec;
         private SpeedReadback speeds;
         private AdaptiveClock adaptive;
         private SpeedReference reference;
         private SleepWatch sleep;
         private bool yields;
+        private double gainInFrame;
 
         /// <summary>The pace of a solver with its first settings.</summary>
         /// <exception cref="FluidDeviceException">A shader is missing, or the device cannot run it.</exception>
@@ -43,6 +45,7 @@ namespace SphFluid
             this.start = start;
             keepPlaces = () => speeds.KeepPlaces();
             forgetPlaces = () => speeds.ForgetPlaces();
+            stepAt = speed => LongestStep(FluidConstants.Derive(this.spec, this.start, this.start.Gravity, speed), gainInFrame);
             TakeLimits(spec, solver.Settings);
             TakeClock();
         }
@@ -132,7 +135,7 @@ namespace SphFluid
 
         private void Prepare(double deltaTime, double bodyMotion)
         {
-            double gravity = solver.Settings.Gravity.magnitude, gain = gravity * Math.Max(0.0, deltaTime - SeenFrame);
+            double gain = Gain(deltaTime);
             if (speeds != null)
             {
                 // By now what falls or is pressed may be as fast as its head.
@@ -141,8 +144,11 @@ namespace SphFluid
                 solver.PeakSpeed = (float)Math.Max(SpeedMargin * speeds.Sample.Fastest + gain,
                     deltaTime > 0.0 ? bodyMotion / deltaTime : 0.0);
             }
-            if (adaptive != null) adaptive.StableStep = LongestStep(gain);
+            if (adaptive != null) adaptive.StableStep = LongestStep(solver.Settings, gain);
         }
+
+        // m/s: of liquid that falls through a long frame.
+        private double Gain(double deltaTime) => solver.Settings.Gravity.magnitude * Math.Max(0.0, deltaTime - SeenFrame);
 
         // A collider that moves is known before it hits.
         private void UpdateSpeed(double deltaTime, double bodySpeed, ColliderLoads loads)
@@ -155,11 +161,10 @@ namespace SphFluid
             Driven = Math.Min(Math.Max(loads.Speed, loaded), FluidSpec.MostSpeed);
             if (reference == null || yields) return;
             double leap = Math.Sqrt(PressedByRule / Math.Max(Compression, LeastCompression));
-            if (reference.Update(Follows(spec) ? Math.Max(speeds.Sample.Head, bodySpeed) : reference.Most, deltaTime, Driven,
-                Math.Min(loaded, Driven), leap))
-            {
-                solver.ApplySettings(AtReference());
-            }
+            double asked = Follows(spec) ? Math.Max(speeds.Sample.Head, bodySpeed) : reference.Most;
+            gainInFrame = Gain(deltaTime);
+            double spare = SpareSpeed.For(deltaTime, asked, reference.Most, spec.MaxSubstepsPerFrame, stepAt);
+            if (reference.Update(asked, deltaTime, Driven, Math.Min(loaded, Driven), leap, spare)) solver.ApplySettings(AtReference());
         }
 
         /// <summary>Records what the next frames go by, after a frame's steps and the neighbour setup.</summary>
@@ -250,7 +255,7 @@ namespace SphFluid
             }
             else if (adaptive == null || adaptive.MaxSteps != most)
             {
-                Clock = adaptive = new AdaptiveClock(LongestStep(0.0), most);
+                Clock = adaptive = new AdaptiveClock(LongestStep(solver.Settings, 0.0), most);
             }
         }
 
@@ -303,9 +308,8 @@ namespace SphFluid
             spec.TimeStepMode == FluidTimeStepMode.Automatic && solver.StepCount == 0 ? start.InitialSpeed : solver.Settings.MaxSpeed;
 
         // Faster particles than the constants are made for shorten the steps where the mode asks for it.
-        private double LongestStep(double gain)
+        private double LongestStep(in FluidSolverSettings settings, double gain)
         {
-            FluidSolverSettings settings = solver.Settings;
             double speed = SpeedMargin * speeds.Sample.Fastest + gain;
             if (spec.TimeStepMode != FluidTimeStepMode.Adaptive) speed = Math.Min(speed, settings.MaxSpeed);
             double step = FluidRules.Advise(settings, speed).Step(spec.Profile.Rules.TimeStepFraction);

@@ -5,7 +5,7 @@ namespace SphFluid
     /// <summary>
     /// The speed that a running liquid's constants are made for. It follows the measured one down slowly, because a softer liquid is
     /// compressed more and its level sinks, and up at once as fast as pressure can follow; never above the speed by rule but for what
-    /// colliders do.
+    /// colliders do. Where a softer liquid would save no step it stays as it is.
     /// </summary>
     internal sealed class SpeedReference
     {
@@ -13,8 +13,11 @@ namespace SphFluid
         private const double FallTime = 1.0;
         private const double RiseTime = 0.1;
 
-        // A bin's edge is no change: the fall begins below a bin's width.
-        private const double Slack = 1.07;
+        // s: nothing needs what costs no step, and where frames differ in length the next may cost one, so it comes slowly.
+        private const double SpareTime = 6.0;
+
+        // A bin's edge is no change: the fall begins below a bin's width. What costs no step depends on bins but little, and must be met.
+        private const double Slack = 1.07, SpareSlack = 1.01;
 
         // s: a single long frame counts for no more.
         private const double LongestFrame = 0.1;
@@ -62,13 +65,16 @@ namespace SphFluid
         /// <param name="driven">What colliders make necessary, whatever the rule says [m/s].</param>
         /// <param name="loaded">The part of that by accelerations, which comes with the pressure that a stiffer liquid needs [m/s].</param>
         /// <param name="leap">Times that the speed may be at once for such a part: liquid under no pressure does not feel it.</param>
+        /// <param name="spare">The speed up to which frames take no more steps [m/s].</param>
         /// <returns>Whether the speed in use changed.</returns>
-        public bool Update(double measured, double time, double driven = 0.0, double loaded = 0.0, double leap = 1.0)
+        public bool Update(double measured, double time, double driven = 0.0, double loaded = 0.0, double leap = 1.0, double spare = 0.0)
         {
             double before = Speed, target = Math.Max(Math.Min(measured, Most), driven), frame = Math.Min(time, LongestFrame);
+            double least = Math.Max(target, Math.Min(spare, Most));
             if (target > Speed) Speed = Math.Min(target, Math.Max(Speed * Math.Exp(frame / RiseTime), Math.Min(loaded, Speed * leap)));
-            falls = target < Speed && (falls || target * Slack < Speed);
-            if (falls) Speed = Math.Max(target, Speed * Math.Exp(-frame / FallTime));
+            else if (least > Speed) Speed = Math.Min(least, Speed * Math.Exp(frame / SpareTime));
+            falls = least < Speed && (falls || least * (least > target ? SpareSlack : Slack) < Speed);
+            if (falls) Speed = Math.Max(least, Speed * Math.Exp(-frame / FallTime));
             return Speed != before;
         }
     }

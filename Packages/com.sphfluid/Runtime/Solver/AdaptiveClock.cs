@@ -12,9 +12,11 @@ namespace SphFluid
         // A frame of exactly n steps must give n, however its float was rounded.
         private const double RoundingSlack = 1e-6;
 
-        // The target grows by 2 % a frame, and stays below the longest stable step by 5 %, the flicker of a calm liquid's speed.
+        /// <summary>The longest stable step over the steps that a calm liquid takes: what its speed flickers by.</summary>
+        internal const double Margin = 1.05;
+
+        // The target grows by 2 % a frame.
         private const double Growth = 1.02;
-        private const double Margin = 1.05;
 
         private double stable, target, pending;
 

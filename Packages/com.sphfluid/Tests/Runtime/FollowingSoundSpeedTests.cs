@@ -1,9 +1,11 @@
+using System;
 using System.Collections;
 using System.Linq;
 using NUnit.Framework;
 using UnityEngine;
 using UnityEngine.Rendering;
 using UnityEngine.TestTools;
+using Object = UnityEngine.Object;
 
 namespace SphFluid.Tests
 {
@@ -51,6 +53,20 @@ namespace SphFluid.Tests
             Assert.That(earlyByRule, Is.GreaterThanOrEqualTo(early));
             byRule.enabled = false;
             Object.DestroyImmediate(other);
+        }
+
+        [UnityTest]
+        public IEnumerator CalmLiquidIsAsStiffAsTheStepsOfAFrameAllow()
+        {
+            FluidSimulation simulation = Falling("Calm");
+            simulation.SleepsAtRest = false;
+            for (int frame = 0; frame < 250; frame++) yield return null;
+            FluidSolverSettings now = simulation.Solver.Settings;
+            double needed = Math.Sqrt(9.81 * 0.05 / 0.04), advised = 0.75 * FluidRules.Advise(now, 0.0).Acoustic;
+            double steps = Math.Round(0.02 / simulation.TimeStep);
+            Assert.That(steps * simulation.TimeStep, Is.EqualTo(0.02).Within(1e-6));
+            Assert.That(advised, Is.InRange(simulation.TimeStep, 1.25 * simulation.TimeStep), "the clock's margin, and what moves");
+            Assert.That(now.SoundSpeed, Is.GreaterThan(1.3 * needed), "Max Compression would do with so much");
         }
 
         [UnityTest]

@@ -77,5 +77,29 @@ namespace SphFluid.Tests
             reference.Restart();
             Assert.That(reference.Speed, Is.EqualTo(5.0));
         }
+
+        [Test]
+        public void ItFallsNoFartherThanWhereFramesTakeFewerSteps()
+        {
+            var reference = new SpeedReference(4.0);
+            for (int frame = 0; frame < 120; frame++) reference.Update(1.0, Frame, spare: 1.5);
+            Assert.That(reference.Speed, Is.EqualTo(1.5));
+            for (int frame = 0; frame < 60; frame++) reference.Update(1.0, Frame, spare: 1.3);
+            Assert.That(reference.Speed, Is.EqualTo(1.3));
+        }
+
+        [Test]
+        public void ToWhatNothingNeedsItRisesSlowlyAndNeverAboveTheRule()
+        {
+            var reference = new SpeedReference(4.0);
+            for (int frame = 0; frame < 120; frame++) reference.Update(1.0, Frame);
+            Assert.That(reference.Update(1.0, Frame, spare: 9.0));
+            Assert.That(reference.Speed, Is.EqualTo(Math.Exp(Frame / 6.0)).Within(1e-12));
+            for (int frame = 0; frame < 1000; frame++) reference.Update(1.0, Frame, spare: 9.0);
+            Assert.That(reference.Speed, Is.EqualTo(4.0));
+            for (int frame = 0; frame < 300; frame++) reference.Update(1.0, Frame);
+            Assert.That(reference.Update(3.0, Frame, spare: 3.5));
+            Assert.That(reference.Speed, Is.EqualTo(Math.Exp(10.0 * Frame)).Within(1e-12), "what is needed comes at once");
+        }
     }
 }
