@@ -199,7 +199,7 @@ namespace SphFluid.Editor
             EditorGUILayout.Space();
             EditorGUILayout.LabelField("Status", EditorStyles.boldLabel);
             EditorGUILayout.LabelField("State", !simulation.IsRunning ? "stopped" : simulation.Paused ? "paused" : simulation.IsAsleep
-                ? "asleep" : "running");
+                ? "asleep" : simulation.AsleepShare > 0f ? $"running, {100f * simulation.AsleepShare:0} % asleep" : "running");
             if (simulation.IsRunning)
             {
                 if (simulation.MethodChoice is FluidMethodChoice choice)

@@ -121,7 +121,8 @@ namespace SphFluid
         }
 
         private static string State(FluidSimulation simulation) =>
-            !simulation.IsRunning ? "stopped" : simulation.Paused ? "paused" : simulation.IsAsleep ? "asleep" : "running";
+            !simulation.IsRunning ? "stopped" : simulation.Paused ? "paused" : simulation.IsAsleep ? "asleep" :
+            simulation.AsleepShare > 0f ? FormattableString.Invariant($"running, {100f * simulation.AsleepShare:0} % asleep") : "running";
 
         private void DropTimes()
         {

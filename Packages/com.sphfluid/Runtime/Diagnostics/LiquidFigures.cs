@@ -6,7 +6,7 @@ namespace SphFluid
         /// <summary>Name of the simulation's object.</summary>
         public string Name;
 
-        /// <summary>"running", "paused", "asleep" or "stopped".</summary>
+        /// <summary>"running", perhaps with the part that is asleep, "paused", "asleep" or "stopped".</summary>
         public string State;
 
         /// <summary>The method that was picked automatically, with its cost; null: it is given.</summary>

@@ -80,7 +80,7 @@ namespace SphFluid
             if (start != null)
             {
                 TimeStepChecks.Check(spec, start.Constants, messages);
-                SleepChecks.Check(spec, messages);
+                SleepChecks.Check(spec, start, messages);
             }
             return messages.OrderByDescending(m => m.Severity).ToList();
         }

@@ -252,6 +252,7 @@ namespace SphFluid
             if (save.Has(FluidSave.Colliders)) obstacles.Bodies?.Load(save.Section(FluidSave.Colliders), Collision);
             if (save.Has(FluidSave.Floats)) floats?.Load(save.Section(FluidSave.Floats), obstacles.Bodies.Floating);
             loads.Forget();
+            parts.Forget();
             pace.Load(save.Section(FluidSave.Pace));
             flows.Load(save.Section(FluidSave.Flows), spec);
             zones.Load(save.Section(FluidSave.Zones), spec);

@@ -7,7 +7,11 @@ namespace SphFluid
     {
         private const FluidMethodFeatures None = FluidMethodFeatures.None;
 
-        public static void Check(in FluidSpec spec, List<FluidMessage> messages)
+        /// <summary>Checks a simulation.</summary>
+        /// <param name="spec">The simulation.</param>
+        /// <param name="start">How it starts.</param>
+        /// <param name="messages">Receives what keeps all of it awake.</param>
+        public static void Check(in FluidSpec spec, FluidStart start, List<FluidMessage> messages)
         {
             if (!spec.PartsSleep) return;
             if (!spec.SleepsAtRest)
@@ -22,10 +26,11 @@ namespace SphFluid
                     "Use the method Standard");
                 return;
             }
-            FluidMethodFeatures forces = method.AskedBy(spec.Profile.Rules);
+            FluidRuleInput input = FluidConstants.Input(spec, start, start.Gravity);
+            FluidMethodFeatures forces = method.AskedBy(input);
             if (forces == None) return;
-            Add(spec, messages, $"All of the liquid takes part in each step, as Parts Sleep does nothing with " +
-                $"{method.Describe(forces, spec.Profile.Rules)}.", "Use a liquid without it");
+            Add(spec, messages, $"Parts Sleep does nothing with {method.Describe(forces, input)}: all of it takes part in each step.",
+                "Use a liquid without it");
         }
 
         private static void Add(in FluidSpec spec, List<FluidMessage> messages, string text, string cure) =>

@@ -29,6 +29,9 @@ namespace SphFluid
             return may ? new SleepRule(acceleration, settings.Spacing, SleepWatch.Thinness(settings)) : (SleepRule?)null;
         }
 
+        /// <summary>The liquid goes on from a save: all that is there counts as new.</summary>
+        public void Forget() => known.Clear();
+
         /// <summary>Tells the solver what keeps liquid awake in a frame, before its steps.</summary>
         /// <param name="spec">The simulation.</param>
         /// <param name="solids">Its colliders.</param>

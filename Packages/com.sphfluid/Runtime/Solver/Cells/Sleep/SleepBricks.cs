@@ -71,7 +71,11 @@ namespace SphFluid
 
         /// <summary>Bricks wake with the next pass.</summary>
         /// <param name="all">All, or those that are kept awake.</param>
-        public void Wake(bool all) => (AllWake, WakesNow) = (AllWake || all, true);
+        public void Wake(bool all)
+        {
+            (AllWake, WakesNow) = (AllWake || all, true);
+            if (all) SinceSort = 0f;
+        }
 
         /// <summary>They have.</summary>
         public void Woke() => AllWake = WakesNow = false;
