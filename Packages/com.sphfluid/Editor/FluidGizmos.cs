@@ -24,7 +24,9 @@ namespace SphFluid.Editor
             Gizmos.color = color;
             Gizmos.DrawWireCube(Vector3.zero, simulation.DomainSize);
             FaceGizmos.Draw(simulation.Boundaries, simulation.DomainSize, color.a);
-            if ((type & GizmoType.Selected) != 0) FillGizmos.Draw(simulation);
+            if ((type & GizmoType.Selected) == 0) return;
+            FillGizmos.Draw(simulation);
+            SleepGizmos.Draw(simulation);
         }
 
         [DrawGizmo(GizmoType.Selected | GizmoType.NonSelected | GizmoType.Pickable)]

@@ -140,6 +140,9 @@ namespace SphFluid
         /// <summary>Whether parts of the liquid may sleep now.</summary>
         public virtual bool HasSleepers => false;
 
+        /// <summary>Where the liquid sleeps, in boxes of simulation space [m]; waits for the GPU.</summary>
+        public virtual IReadOnlyList<Bounds> ReadSleepers() => Array.Empty<Bounds>();
+
         /// <summary>What sleeps wakes with the next neighbour setup.</summary>
         /// <param name="all">Or only what is kept awake.</param>
         /// <returns>Whether anything may sleep.</returns>

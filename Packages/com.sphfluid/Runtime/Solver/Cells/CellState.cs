@@ -68,6 +68,9 @@ namespace SphFluid
         public override bool HasSleepers => Sleep != null && SleepsInParts;
 
         /// <inheritdoc/>
+        public override IReadOnlyList<Bounds> ReadSleepers() => HasSleepers ? Sleep.ReadAsleep(Cells) : base.ReadSleepers();
+
+        /// <inheritdoc/>
         public override bool Wake(bool all)
         {
             Sleep?.Wake(all);

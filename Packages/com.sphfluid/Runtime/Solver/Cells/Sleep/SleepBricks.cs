@@ -5,11 +5,12 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>
-    /// Bricks of cells whose particles fall asleep and wake together, and what keeps them awake: Shaders/Solver/Cells/Sleep/SleepParticles.compute.
+    /// Bricks of cells whose particles fall asleep and wake together, and what keeps them awake
+    /// (Shaders/Solver/Cells/Sleep/SleepParticles.compute).
     /// </summary>
     internal sealed class SleepBricks : BufferSet
     {
-        /// <summary>BRICK_WORDS in Shaders/Solver/Cells/Sleep/SleepParticles.compute, and which of them says that a brick sleeps, by 2.</summary>
+        /// <summary>BRICK_WORDS in SleepParticles.compute, and which of them says that a brick sleeps, by 2.</summary>
         public const int Words = 10, State = 6, Asleep = 2;
 
         /// <summary>Boxes that keep bricks awake; what there is more is in the last.</summary>
@@ -94,6 +95,23 @@ namespace SphFluid
             }
             corners[0].w = Math.Min(boxes.Count, MostBoxes);
             AwakeBoxes.SetData(corners);
+        }
+
+        /// <summary>The bricks that sleep, in simulation space [m]; waits for the GPU.</summary>
+        /// <param name="cells">The cells.</param>
+        public List<Bounds> ReadAsleep(in CellRows cells)
+        {
+            var words = new uint[Total * Words];
+            Bricks.GetData(words);
+            var asleep = new List<Bounds>();
+            Vector3 size = Side * cells.CellSize, first = cells.Origin + cells.CellSize + 0.5f * size;
+            for (int i = 0; i < Total; i++)
+            {
+                if (words[i * Words + State] != Asleep) continue;
+                var place = new Vector3(i % Counts.x, i / Counts.x % Counts.y, i / (Counts.x * Counts.y));
+                asleep.Add(new Bounds(first + Vector3.Scale(place, size), size));
+            }
+            return asleep;
         }
 
         private static int Parts(int cells, int side) => (cells + side - 1) / side;

@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>SleepParticles against the same rule on the CPU: which bricks are calm, which particles are slowed and which sleep.</summary>
+    /// <summary>SleepParticles against the same rule on the CPU: which bricks are calm, which particles are slowed, which sleep.</summary>
     public sealed class SleepParticlesTests
     {
         private const float SinceSort = 0.4f; // s
@@ -62,13 +62,14 @@ namespace SphFluid.Tests
                         float left = was == 0 ? 1f : was == 1 ? Mathf.Exp(-SinceSort / rule.FadeTime) : 0f;
                         slept += was == 2 ? 1 : 0;
                         slowed += was == 1 ? 1 : 0;
-                        Assert.That(places[i].w, Is.EqualTo(was == 2 ? -1099511627776f * (1000f + i) : 1f), "the density of one that sleeps");
+                        float ahead = was == 2 ? -1099511627776f * (1000f + i) : 1f;
+                        Assert.That(places[i].w, Is.EqualTo(ahead), "the density of one that sleeps");
                         Assert.That(((Vector3)after[i] - left * velocities[i]).magnitude, Is.LessThan(1e-6f), $"m/s, of state {was}");
                         Assert.That(StandardStateRig.ToBits(after[i].w), Is.EqualTo(sorted[i].Id));
                     }
                     expected.Judge(motions);
                     uint[] words = GpuTest.Read<uint>(bricks.Bricks, bricks.Total * SleepBricks.Words);
-                    int[] states = Enumerable.Range(0, bricks.Total).Select(b => (int)words[b * SleepBricks.Words + SleepBricks.State]).ToArray();
+                    int[] states = words.Where((_, i) => i % SleepBricks.Words == SleepBricks.State).Select(w => (int)w).ToArray();
                     Assert.That(states, Is.EqualTo(expected.States), $"behind pass {pass}");
                 }
                 if (count > 1000) Assert.That(Math.Min(slept, slowed), Is.GreaterThan(50), "of both there were some");
@@ -134,7 +135,8 @@ namespace SphFluid.Tests
                     int count = BrickOf.Count(of => of == b);
                     bool moves = count > 0 && (motions[b] == Motion.Wild || motions[b] == Motion.Drifting);
                     bool trembles = count > 1 && motions[b] == Motion.Trembling;
-                    calm[b] = moves || motions[b] == Motion.KeptAwake ? 0.0 : Math.Min(calm[b] + SinceSort, trembles ? rule.CalmTime : whole);
+                    double later = Math.Min(calm[b] + SinceSort, trembles ? rule.CalmTime : whole);
+                    calm[b] = moves || motions[b] == Motion.KeptAwake ? 0.0 : later;
                 }
                 for (int b = 0; b < calm.Length; b++)
                 {
