@@ -15,7 +15,7 @@ namespace SphFluid.Editor
         /// <summary>Fields that are always shown, in their order; the others are under Advanced.</summary>
         internal static readonly string[] Rows =
         {
-            "liquid", "domainSize", "particleSpacing", "method", "colliderLayers", "paused", "timeScale", "playOnEnable",
+            "liquid", "domain", "domainSize", "farthestDistance", "particleSpacing", "method", "colliderLayers", "paused", "timeScale", "playOnEnable",
         };
 
         [OutlivesPlay("what the user has unfolded")] internal static bool showsAdvanced, showsFigures;
@@ -36,9 +36,10 @@ namespace SphFluid.Editor
         public override void OnInspectorGUI()
         {
             serializedObject.Update();
-            foreach (string field in Rows) DrawRow(field);
+            string[] hidden = Hidden(serializedObject);
+            foreach (string field in Rows.Except(hidden)) DrawRow(field);
             showsAdvanced = EditorGUILayout.Foldout(showsAdvanced, "Advanced", true);
-            if (showsAdvanced) FluidInspector.Draw(serializedObject, Rows.Concat(Hidden(serializedObject)).ToArray());
+            if (showsAdvanced) FluidInspector.Draw(serializedObject, Rows.Concat(hidden).ToArray());
             if (serializedObject.ApplyModifiedProperties())
             {
                 hold.Begin();
@@ -138,6 +139,9 @@ namespace SphFluid.Editor
         internal static string[] Hidden(SerializedObject edited)
         {
             var hidden = new List<string> { "m_Script" };
+            SerializedProperty domain = edited.FindProperty("domain");
+            bool isOpen = domain.enumValueIndex == (int)FluidDomain.Open;
+            if (!domain.hasMultipleDifferentValues) hidden.Add(isOpen ? "domainSize" : "farthestDistance");
             SerializedProperty mode = edited.FindProperty("timeStepMode");
             bool isFixed = mode.enumValueIndex == (int)FluidTimeStepMode.Fixed;
             if (!isFixed && !mode.hasMultipleDifferentValues) hidden.Add("fixedTimeStep");

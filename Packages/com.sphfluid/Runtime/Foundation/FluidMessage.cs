@@ -161,6 +161,9 @@ namespace SphFluid
 
         /// <summary>A liquid volume is drawn out to walls of its domain that it nearly reaches.</summary>
         VolumeDrawnOut,
+
+        /// <summary>Liquid of an open domain went farther than its farthest distance, and was removed.</summary>
+        FarthestReached,
     }
 
     /// <summary>

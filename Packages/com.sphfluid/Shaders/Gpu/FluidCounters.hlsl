@@ -15,9 +15,10 @@
 #define COUNTER_BLOCKED 10
 #define COUNTER_REFUSED 11
 #define COUNTER_IMPULSE_LIMIT 12
-#define COUNTER_MAX_SPEED 13
-#define COUNTER_MAX_DENSITY 14
-#define COUNTER_SQUEEZERS 15 // numbers of two bodies in 16 bits each, 0: none
+#define COUNTER_LEFT_THROUGH_FACE 13 // of the removed
+#define COUNTER_MAX_SPEED 14
+#define COUNTER_MAX_DENSITY 15
+#define COUNTER_SQUEEZERS 16 // numbers of two bodies in 16 bits each, 0: none
 
 RWStructuredBuffer<uint> _Counters;
 

@@ -20,7 +20,8 @@ void CountInCell(uint id, float4 place)
     [branch]
     if (_KeepsOrder == 0u)
     {
-        leaves = any(place.xyz < _OpenLow) || any(place.xyz > _OpenHigh);
+        const bool isBeyond = any(place.xyz < _OpenLow) || any(place.xyz > _OpenHigh);
+        leaves = isBeyond;
         [branch]
         if (_Drains != 0u)
         {
@@ -30,6 +31,7 @@ void CountInCell(uint id, float4 place)
         if (leaves)
         {
             CountEvent(COUNTER_REMOVED);
+            InterlockedAdd(_Counters[COUNTER_LEFT_THROUGH_FACE], isBeyond ? 1u : 0u);
         }
     }
     _NewPositionsOut[id] = float4(place.xyz, leaves ? -1.0 : place.w > 0.0 ? place.w : 0.0); // what is not a number is not known
