@@ -111,7 +111,7 @@ namespace SphFluid
         /// <summary>Checks where the emitters of a simulation are before it starts; they may move later.</summary>
         public static void CheckPlaces(in FluidSpec spec, CollisionScene collision, List<FluidMessage> messages)
         {
-            Matrix4x4 worldToLocal = spec.WorldToLocal;
+            DomainPose worldToLocal = spec.WorldToLocal;
             for (int i = 0; i < (spec.Emitters?.Count ?? 0); i++)
             {
                 EmitterSpec emitter = spec.Emitters[i];

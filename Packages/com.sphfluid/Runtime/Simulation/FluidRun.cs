@@ -204,7 +204,7 @@ namespace SphFluid
         /// <returns>Number of particles that are tried.</returns>
         public int AddLiquid(in FluidSpec spec, Matrix4x4 unitToWorld, Vector3 velocity)
         {
-            Matrix4x4 toLocal = spec.WorldToLocal;
+            DomainPose toLocal = spec.WorldToLocal;
             return AddLiquid(spec, new LiquidBox("Added liquid", toLocal * unitToWorld, toLocal.MultiplyVector(velocity)));
         }
 

@@ -117,7 +117,7 @@ namespace SphFluid
         public readonly Matrix4x4 LocalToWorld => DomainSpace.ToWorld(Position, Rotation);
 
         /// <summary>World space to simulation space.</summary>
-        public readonly Matrix4x4 WorldToLocal => DomainSpace.FromWorld(Position, Rotation);
+        public readonly DomainPose WorldToLocal => DomainSpace.FromWorld(Position, Rotation);
 
         /// <summary>Most particles that may live.</summary>
         public readonly int MostParticles

@@ -51,10 +51,10 @@ namespace SphFluid.Tests
         private FluidEmitter AddNozzle(FluidSimulation simulation, Vector3 place)
         {
             GameObject holder = rig.NewObject("Nozzle");
-            holder.transform.SetParent(simulation.transform, false);
-            holder.transform.localPosition = place;
-            holder.transform.localRotation = Quaternion.LookRotation(Vector3.down, Vector3.right);
+            holder.transform.SetPositionAndRotation(simulation.transform.position + place,
+                Quaternion.LookRotation(Vector3.down, Vector3.right));
             FluidEmitter emitter = holder.AddComponent<FluidEmitter>();
+            emitter.Simulation = simulation;
             emitter.Size = new Vector2(0.2f, 0.2f);
             emitter.Speed = 1f;
             return emitter;
