@@ -20,10 +20,9 @@ SurfaceFragment ProjectSurfaceVertex(SurfaceVertex surface)
     EYE_TO(fragment)
     fragment.world = FluidWorldPosition(surface.position);
     fragment.normal = FluidWorldDirection(surface.normal);
+    fragment.clipPosition = FluidClipOfLocal(surface.position);
 #if defined(FLUID_SHADOW_CASTER)
-    fragment.clipPosition = FluidShadowClipPosition(fragment.world);
-#else
-    fragment.clipPosition = FluidClipPosition(fragment.world);
+    fragment.clipPosition = FluidShadowClipPosition(fragment.clipPosition);
 #endif
     return fragment;
 }
