@@ -15,7 +15,7 @@ namespace SphFluid.Editor
         /// <summary>Fields that are always shown, in their order; the others are under Advanced.</summary>
         internal static readonly string[] Rows =
         {
-            "liquid", "domain", "domainSize", "farthestDistance", "particleSpacing", "method", "colliderLayers", "paused", "timeScale", "playOnEnable",
+            "liquid", "domain", "domainSize", "particleSpacing", "method", "colliderLayers", "paused", "timeScale",
         };
 
         [OutlivesPlay("what the user has unfolded")] internal static bool showsAdvanced, showsFigures;
@@ -36,10 +36,9 @@ namespace SphFluid.Editor
         public override void OnInspectorGUI()
         {
             serializedObject.Update();
-            string[] hidden = Hidden(serializedObject);
-            foreach (string field in Rows.Except(hidden)) DrawRow(field);
+            foreach (string field in Rows) DrawRow(field);
             showsAdvanced = EditorGUILayout.Foldout(showsAdvanced, "Advanced", true);
-            if (showsAdvanced) FluidInspector.Draw(serializedObject, Rows.Concat(hidden).ToArray());
+            if (showsAdvanced) FluidInspector.Draw(serializedObject, Rows.Concat(Hidden(serializedObject)).ToArray());
             if (serializedObject.ApplyModifiedProperties())
             {
                 hold.Begin();
@@ -57,7 +56,7 @@ namespace SphFluid.Editor
         {
             if (field == "method") MethodField.Draw(serializedObject.FindProperty(field));
             else if (field == "particleSpacing") DrawSpacing(field);
-            else FluidInspector.DrawField(serializedObject, field);
+            else FluidInspector.DrawField(serializedObject, field == "domainSize" ? SizeOf(serializedObject) : field);
         }
 
         // With the number of particles that it means.
@@ -139,9 +138,7 @@ namespace SphFluid.Editor
         internal static string[] Hidden(SerializedObject edited)
         {
             var hidden = new List<string> { "m_Script" };
-            SerializedProperty domain = edited.FindProperty("domain");
-            bool isOpen = domain.enumValueIndex == (int)FluidDomain.Open;
-            if (!domain.hasMultipleDifferentValues) hidden.Add(isOpen ? "domainSize" : "farthestDistance");
+            if (!edited.FindProperty("domain").hasMultipleDifferentValues) hidden.Add("farthestDistance"); // or in the place of the size
             SerializedProperty mode = edited.FindProperty("timeStepMode");
             bool isFixed = mode.enumValueIndex == (int)FluidTimeStepMode.Fixed;
             if (!isFixed && !mode.hasMultipleDifferentValues) hidden.Add("fixedTimeStep");
@@ -156,6 +153,10 @@ namespace SphFluid.Editor
             if (!Array.Exists(edited.targetObjects, IsChosen)) hidden.AddRange(new[] { "frameBudget", "budgetFrameRate" });
             return hidden.ToArray();
         }
+
+        /// <summary>The field that says how large the domain is.</summary>
+        internal static string SizeOf(SerializedObject edited) => edited.FindProperty("domain") is SerializedProperty domain &&
+            !domain.hasMultipleDifferentValues && domain.enumValueIndex == (int)FluidDomain.Open ? "farthestDistance" : "domainSize";
 
         private static bool IsChosen(Object simulation) => FluidMethods.IsChosen(((FluidSimulation)simulation).Method);
 

@@ -23,12 +23,6 @@ namespace SphFluid
         [SerializeField, Unit("m"), Tooltip("Edge lengths of the box that holds the liquid, in metres. A change starts the liquid again.")]
         private Vector3 domainSize = new Vector3(1f, 1f, 1f);
 
-        [SerializeField, Unit("m"),
-            Tooltip(
-                "How far the liquid of an open domain may go from this object along each of its axes, either way, in metres. What goes " +
-                "farther is removed, and the console says so once. A change starts the liquid again.")]
-        private Vector3 farthestDistance = new Vector3(50f, 10f, 50f);
-
         [SerializeField, Min(0f), Unit("m"),
             Tooltip("Distance of neighbouring particles at rest in metres. Half of it means 8 times as many particles " +
             "and twice as many steps. A change starts the liquid again.")]
@@ -53,6 +47,12 @@ namespace SphFluid
                 "Time of this liquid over the scene's time: 1 as fast as the scene, 0.5 half as fast, 0 stands still. Time.timeScale " +
                 "applies as well.")]
         private float timeScale = 1f;
+
+        [SerializeField, Unit("m"),
+            Tooltip(
+                "How far the liquid of an open domain may go from this object along each of its axes, either way, in metres. What goes " +
+                "farther is removed, and the console says so once. A change starts the liquid again.")]
+        private Vector3 farthestDistance = new Vector3(50f, 10f, 50f);
 
         [SerializeField, Tooltip("Start with the scene or when the component is enabled.")]
         private bool playOnEnable = true;
