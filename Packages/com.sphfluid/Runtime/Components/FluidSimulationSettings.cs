@@ -15,9 +15,9 @@ namespace SphFluid
 
         [SerializeField,
             Tooltip(
-                "Box: the liquid is in a box of Domain Size, whose faces are walls or what Boundaries say. Open: it goes where it goes, and " +
-                "only colliders hold it; what is beyond Farthest Distance leaves. Methods Standard and Robust. A change starts the liquid " +
-                "again.")]
+                "Box: the liquid is in a box of Domain Size, whose faces are walls or what Boundaries say. Open: it goes where it goes, " +
+                "and only colliders hold it; what is beyond Farthest Distance leaves. Methods Standard and Robust. A change starts the " +
+                "liquid again.")]
         private FluidDomain domain;
 
         [SerializeField, Unit("m"), Tooltip("Edge lengths of the box that holds the liquid, in metres. A change starts the liquid again.")]

@@ -12,12 +12,12 @@ namespace SphFluid
             FluidSpec faces = spec;
             if (spec.IsOpen && Fault(() => CheckFaces(faces)) != null)
             {
-                messages.Add(new FluidMessage(FluidSeverity.Error, FluidIssue.BoundariesInvalid, spec.Owner,
-                    FluidMethods.Has(spec.Method, FluidMethodFeatures.OpenFaces)
+                bool mayBe = FluidMethods.Has(spec.Method, FluidMethodFeatures.OpenFaces);
+                messages.Add(new FluidMessage(FluidSeverity.Error, FluidIssue.BoundariesInvalid, spec.Owner, mayBe
                         ? "The domain is open, and has neither periodic axes nor walls that move."
                         : $"The domain is open, but the method {spec.Method} keeps the liquid in a box.",
-                    $"Set Domain to Box, use the method {FluidMethodKind.Standard} or {FluidMethodKind.Robust}, and take Periodic and all " +
-                    "velocities out of Boundaries."));
+                    "Set Domain to Box, or " + (mayBe ? "take Periodic and all velocities out of Boundaries."
+                        : $"use the method {FluidMethodKind.Standard} or {FluidMethodKind.Robust}.")));
             }
             else if (Fault(spec) is string fault)
             {

@@ -1,5 +1,3 @@
-using System;
-
 namespace SphFluid
 {
     /// <summary>Tells once of liquid that went farther than an open domain reaches.</summary>
@@ -16,8 +14,8 @@ namespace SphFluid
             if (said || !spec.IsOpen || left == 0) return null;
             said = true;
             return new FluidMessage(FluidSeverity.Warning, FluidIssue.FarthestReached, spec.Owner,
-                FormattableString.Invariant($"Liquid goes farther than Farthest Distance, {FluidMessage.Lengths(0.5f * spec.DomainSize)} m ") +
-                "from this object, and is removed there; Removed Particles counts it.",
+                $"Liquid goes farther than Farthest Distance, {FluidMessage.Lengths(0.5f * spec.DomainSize)} m from this object, and " +
+                "is removed there; Removed Particles counts it.",
                 "Raise Farthest Distance, move the object to where the liquid goes, or end the flow earlier, with a Fluid Drain or an " +
                 "emitter's Lifetime.");
         }

@@ -143,8 +143,9 @@ namespace SphFluid
             bool spaced = AffineMath.IsFinite(spacing) && spacing > 0f;
             if (!sized)
             {
-                messages.Add(Error(spec.Owner, FluidIssue.DomainSizeInvalid, spec.IsOpen
-                        ? $"The farthest distance is {FluidMessage.Lengths(0.5f * size)} m." : $"The domain size is {FluidMessage.Lengths(size)} m.",
+                messages.Add(Error(spec.Owner, FluidIssue.DomainSizeInvalid,
+                    spec.IsOpen ? $"The farthest distance is {FluidMessage.Lengths(0.5f * size)} m."
+                        : $"The domain size is {FluidMessage.Lengths(size)} m.",
                     $"Give {spec.SizeField} three numbers greater than zero."));
             }
             if (!spaced)

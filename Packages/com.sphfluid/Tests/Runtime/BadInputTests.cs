@@ -115,7 +115,7 @@ namespace SphFluid.Tests
             simulation.Domain = FluidDomain.Open;
             simulation.FarthestDistance = Vector3.one;
             simulation.Boundaries = new FluidBoundaries { Periodic = FluidAxes.X };
-            Fails(simulation, FluidIssue.BoundariesInvalid, "'Fluid': The domain is open, and has neither periodic axes.*Set Domain to Box");
+            Fails(simulation, FluidIssue.BoundariesInvalid, "'Fluid': The domain is open, and has neither periodic.*Set Domain to Box");
             simulation.Boundaries = default;
             simulation.Method = FluidMethodKind.Thesis;
             Fails(simulation, FluidIssue.BoundariesInvalid, "'Fluid': The domain is open, but the method Thesis keeps.*Set Domain to Box");

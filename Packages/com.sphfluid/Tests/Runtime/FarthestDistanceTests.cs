@@ -67,7 +67,8 @@ namespace SphFluid.Tests
         }
 
         [UnityTest]
-        public IEnumerator LiquidBeyondIsRemovedAndToldOnce([Values(FluidMethodKind.Standard, FluidMethodKind.Robust)] FluidMethodKind method)
+        public IEnumerator LiquidBeyondIsRemovedAndToldOnce(
+            [Values(FluidMethodKind.Standard, FluidMethodKind.Robust)] FluidMethodKind method)
         {
             FluidSimulation simulation = Open(new Vector3(0.5f, 0.4f, 0.3f));
             simulation.Method = method;
