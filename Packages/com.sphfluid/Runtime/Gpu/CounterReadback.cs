@@ -98,8 +98,9 @@ namespace SphFluid
             counters.Squeezed += Added(values, Squeezed);
             counters.Overlaps += Added(values, Overlap);
             counters.Contacts += Added(values, Contact);
-            counters.Removed += Added(values, Removed);
-            LeftThroughFaces += Added(values, LeftThroughFace);
+            int left = Added(values, LeftThroughFace);
+            LeftThroughFaces += left;
+            counters.Removed += Added(values, Removed) + left;
             counters.Born += Added(values, Born);
             counters.Blocked += Added(values, Blocked);
             counters.Refused += Added(values, Refused);

@@ -98,12 +98,11 @@ float4 FluidClipPosition(float3 world)
     return mul(unity_MatrixVP, float4(FluidMatrixPosition(world), 1.0));
 }
 
-// The same of a place in simulation space. At 10 km from the origin places in the world have steps of 1 mm, so the way from the camera is
-// found first; what rounding is left moves all of a picture alike.
+// The same of a place in simulation space. At 10 km from the origin places in the world have steps of 1 mm, so the way from the domain's
+// middle is projected apart; what rounding is left moves all of a picture alike.
 float4 FluidClipOfLocal(float3 local)
 {
-    float3 away = FluidWorldDirection(local) + (FluidOrigin() - _WorldSpaceCameraPos);
-    return mul(unity_MatrixVP, float4(away, 0.0)) + FluidClipPosition(_WorldSpaceCameraPos);
+    return mul(unity_MatrixVP, float4(FluidWorldDirection(local), 0.0)) + FluidClipPosition(FluidOrigin());
 }
 
 // Moves a shadow caster away from the light, but never in front of the light's near plane.
