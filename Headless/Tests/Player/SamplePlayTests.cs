@@ -31,6 +31,7 @@ public sealed class SamplePlayTests
     [TestCase("Harbour", 0.04, 300, 400)]
     [TestCase("StormInAGlass", 0.04, 300, 400)]
     [TestCase("Gallery", 0.04, 300, 400)]
+    [TestCase("Stairs", 0.1, 90)]
     public void TheSamplePlaysWithoutAnErrorAndGetsLiquid(string sample, double seconds, int leastParticles, int given = 0)
     {
         string output = Path.Combine(folder, sample);

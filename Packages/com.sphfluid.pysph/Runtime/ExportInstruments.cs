@@ -14,7 +14,7 @@ namespace SphFluid
         public static void Find(FluidSimulation simulation, List<ExportInstrument> found, Action<FluidMessage> report)
         {
             FluidSimulation[] simulations = SceneObjects.Find<FluidSimulation>(simulation);
-            Matrix4x4 toSimulation = DomainSpace.FromWorld(simulation.transform.position, simulation.transform.rotation);
+            DomainPose toSimulation = DomainSpace.FromWorld(simulation.transform.position, simulation.transform.rotation);
             FluidInstrument[] instruments = SceneObjects.Find<FluidInstrument>(simulation);
             Array.Sort(instruments, HierarchyOrder.Compare);
             foreach (FluidInstrument instrument in instruments)

@@ -53,6 +53,9 @@ namespace SphFluid.Editor
                     return Change(simulation, "Fit Spacing", () => simulation.Spacing = FittingSpacing(simulation));
                 case FluidIssue.TimeStepInvalid:
                     return Change(simulation, "Use Automatic", () => simulation.TimeStepMode = FluidTimeStepMode.Automatic);
+                case FluidIssue.BoundariesInvalid when simulation.Domain == FluidDomain.Open &&
+                    BoundaryChecks.FacesAreWrong(simulation.Spec):
+                    return Change(simulation, "Use a Box", () => simulation.Domain = FluidDomain.Box);
                 case FluidIssue.BoundariesInvalid when BoundaryChecks.FacesAreWrong(simulation.Spec):
                     return Change(simulation, "Use Plain Walls", () => simulation.Boundaries = default);
                 case FluidIssue.BoundariesInvalid:

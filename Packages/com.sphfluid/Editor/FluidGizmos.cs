@@ -23,7 +23,7 @@ namespace SphFluid.Editor
             Gizmos.matrix = simulation.LocalToWorld;
             Gizmos.color = color;
             Gizmos.DrawWireCube(Vector3.zero, simulation.DomainSize);
-            FaceGizmos.Draw(simulation.Boundaries, simulation.DomainSize, color.a);
+            if (simulation.Domain == FluidDomain.Box) FaceGizmos.Draw(simulation.Boundaries, simulation.DomainSize, color.a);
             if ((type & GizmoType.Selected) == 0) return;
             FillGizmos.Draw(simulation);
             SleepGizmos.Draw(simulation);

@@ -15,7 +15,7 @@ namespace SphFluid.Editor
         /// <summary>Fields that are always shown, in their order; the others are under Advanced.</summary>
         internal static readonly string[] Rows =
         {
-            "liquid", "domainSize", "particleSpacing", "method", "colliderLayers", "paused", "timeScale", "playOnEnable",
+            "liquid", "domain", "domainSize", "particleSpacing", "method", "colliderLayers", "paused", "timeScale",
         };
 
         [OutlivesPlay("what the user has unfolded")] internal static bool showsAdvanced, showsFigures;
@@ -56,7 +56,7 @@ namespace SphFluid.Editor
         {
             if (field == "method") MethodField.Draw(serializedObject.FindProperty(field));
             else if (field == "particleSpacing") DrawSpacing(field);
-            else FluidInspector.DrawField(serializedObject, field);
+            else FluidInspector.DrawField(serializedObject, field == "domainSize" ? SizeOf(serializedObject) : field);
         }
 
         // With the number of particles that it means.
@@ -138,6 +138,7 @@ namespace SphFluid.Editor
         internal static string[] Hidden(SerializedObject edited)
         {
             var hidden = new List<string> { "m_Script" };
+            if (!edited.FindProperty("domain").hasMultipleDifferentValues) hidden.Add("farthestDistance"); // or in the place of the size
             SerializedProperty mode = edited.FindProperty("timeStepMode");
             bool isFixed = mode.enumValueIndex == (int)FluidTimeStepMode.Fixed;
             if (!isFixed && !mode.hasMultipleDifferentValues) hidden.Add("fixedTimeStep");
@@ -152,6 +153,10 @@ namespace SphFluid.Editor
             if (!Array.Exists(edited.targetObjects, IsChosen)) hidden.AddRange(new[] { "frameBudget", "budgetFrameRate" });
             return hidden.ToArray();
         }
+
+        /// <summary>The field that says how large the domain is.</summary>
+        internal static string SizeOf(SerializedObject edited) => edited.FindProperty("domain") is SerializedProperty domain &&
+            !domain.hasMultipleDifferentValues && domain.enumValueIndex == (int)FluidDomain.Open ? "farthestDistance" : "domainSize";
 
         private static bool IsChosen(Object simulation) => FluidMethods.IsChosen(((FluidSimulation)simulation).Method);
 

@@ -46,7 +46,7 @@ namespace SphFluid
         public IReadOnlyList<WallSpec> Walls;
 
         /// <summary>World space to simulation space.</summary>
-        public Matrix4x4 WorldToSimulation => DomainSpace.FromWorld(Position, Rotation);
+        public DomainPose WorldToSimulation => DomainSpace.FromWorld(Position, Rotation);
 
         /// <summary>Half the domain's size with the margin for nearby triangles [m].</summary>
         public Vector3 HalfExtents => DomainSize * 0.5f + Vector3.one * Spacing;
@@ -88,7 +88,7 @@ namespace SphFluid
 
             (states, previous) = (previous, states);
             states.Clear();
-            Matrix4x4 worldToSimulation = query.WorldToSimulation;
+            DomainPose worldToSimulation = query.WorldToSimulation;
             Owners?.Begin(query.Position, query.Rotation);
             foreach (Collider collider in ordered)
             {

@@ -69,7 +69,7 @@ namespace SphFluid
         /// <summary>Box: edge lengths. Sphere: radius in x. Capsule, Character Controller: radius, height, axis (0 x, 1 y, 2 z).</summary>
         public Vector3 Size { get; }
 
-        public static ColliderState Read(Collider collider, float friction, in Matrix4x4 worldToSimulation)
+        public static ColliderState Read(Collider collider, float friction, in DomainPose worldToSimulation)
         {
             Matrix4x4 toSimulation = worldToSimulation * collider.transform.localToWorldMatrix;
             switch (collider)

@@ -21,7 +21,7 @@ namespace SphFluid
         /// <param name="worldToSimulation">World space to simulation space.</param>
         /// <param name="domain">Edge lengths of the domain [m].</param>
         /// <param name="spacing">Particle spacing dx [m].</param>
-        public ColliderState Get(Collider collider, IColliderSettings settings, float friction, in Matrix4x4 worldToSimulation,
+        public ColliderState Get(Collider collider, IColliderSettings settings, float friction, in DomainPose worldToSimulation,
             Vector3 domain, float spacing)
         {
             if (WheelDiscs.IsWheel(collider)) return Wheels.StateOf(collider, settings, friction, worldToSimulation, spacing);

@@ -11,7 +11,7 @@ namespace SphFluid
     {
         public static void Check(in CollisionQuery query, List<FluidMessage> messages)
         {
-            Matrix4x4 worldToSimulation = query.WorldToSimulation;
+            DomainPose worldToSimulation = query.WorldToSimulation;
             foreach (MeshCollider collider in SceneObjects.Find<MeshCollider>(query.Owner))
             {
                 bool counts = collider.enabled && !collider.isTrigger && (query.Layers & (1 << collider.gameObject.layer)) != 0;
@@ -23,7 +23,7 @@ namespace SphFluid
         }
 
         // A mesh that cannot be read still has its bounds; one without vertices is where its transform is.
-        private static bool IntersectsDomain(MeshCollider collider, in Matrix4x4 worldToSimulation, Vector3 half)
+        private static bool IntersectsDomain(MeshCollider collider, in DomainPose worldToSimulation, Vector3 half)
         {
             Matrix4x4 toSimulation = worldToSimulation * collider.transform.localToWorldMatrix;
             Bounds bounds = collider.sharedMesh != null ? collider.sharedMesh.bounds : new Bounds();

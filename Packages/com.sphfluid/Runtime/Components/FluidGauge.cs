@@ -78,7 +78,7 @@ namespace SphFluid
 
         private SensorLine Line(FluidSimulation liquid)
         {
-            Matrix4x4 toSimulation = DomainSpace.FromWorld(liquid.transform.position, liquid.transform.rotation);
+            DomainPose toSimulation = DomainSpace.FromWorld(liquid.transform.position, liquid.transform.rotation);
             return SensorLine.Create(toSimulation.MultiplyPoint3x4(transform.position), toSimulation.MultiplyVector(transform.up), Length,
                 liquid.DomainSize,
                 liquid.Solver.Settings.Spacing);

@@ -179,7 +179,7 @@ namespace SphFluid
         private SensorLine Line()
         {
             if (Kind != FluidSensorKind.Level) return SensorLine.Point;
-            Matrix4x4 toSimulation = DomainSpace.FromWorld(read.transform.position, read.transform.rotation);
+            DomainPose toSimulation = DomainSpace.FromWorld(read.transform.position, read.transform.rotation);
             return SensorLine.Create(toSimulation.MultiplyPoint3x4(transform.position), toSimulation.MultiplyVector(transform.up), Length,
                 read.DomainSize,
                 read.Solver.Settings.Spacing);

@@ -6,7 +6,7 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>
-    /// A liquid in a box. The box is centred on this transform, which may be moved and turned but has scale 1. Liquid comes
+    /// A liquid in a box, or in an open domain, about this transform, which may be moved and turned but has scale 1. Liquid comes
     /// from <see cref="FluidVolume"/> components; colliders in the box are found by layer. Stepped in LateUpdate.
     /// </summary>
     [AddComponentMenu("SPH Fluid/Fluid Simulation")]

@@ -13,6 +13,13 @@ namespace SphFluid
             Tooltip("The liquid: its motion, look, spray and foam. One with another profile starts the simulation again.")]
         private FluidLiquid liquid;
 
+        [SerializeField,
+            Tooltip(
+                "Box: the liquid is in a box of Domain Size, whose faces are walls or what Boundaries say. Open: it goes where it goes, " +
+                "and only colliders hold it; what is beyond Farthest Distance leaves. Methods Standard and Robust. A change starts the " +
+                "liquid again.")]
+        private FluidDomain domain;
+
         [SerializeField, Unit("m"), Tooltip("Edge lengths of the box that holds the liquid, in metres. A change starts the liquid again.")]
         private Vector3 domainSize = new Vector3(1f, 1f, 1f);
 
@@ -40,6 +47,12 @@ namespace SphFluid
                 "Time of this liquid over the scene's time: 1 as fast as the scene, 0.5 half as fast, 0 stands still. Time.timeScale " +
                 "applies as well.")]
         private float timeScale = 1f;
+
+        [SerializeField, Unit("m"),
+            Tooltip(
+                "How far the liquid of an open domain may go from this object along each of its axes, either way, in metres. What goes " +
+                "farther is removed, and the console says so once. A change starts the liquid again.")]
+        private Vector3 farthestDistance = new Vector3(50f, 10f, 50f);
 
         [SerializeField, Tooltip("Start with the scene or when the component is enabled.")]
         private bool playOnEnable = true;
@@ -166,8 +179,27 @@ namespace SphFluid
         /// <summary>The profile that was set here, whatever the liquid; null: none.</summary>
         internal FluidProfile OwnProfile => profile;
 
-        /// <summary>Edge lengths of the box in this transform's space [m].</summary>
-        public Vector3 DomainSize { get => domainSize; set => domainSize = value; }
+        /// <summary>Whether the liquid is in a box, or goes where colliders let it.</summary>
+        public FluidDomain Domain { get => Limits.Known(domain); set => domain = value; }
+
+        /// <summary>
+        /// Edge lengths of the box in this transform's space [m]; of an open domain twice <see cref="FarthestDistance"/>.
+        /// </summary>
+        public Vector3 DomainSize
+        {
+            get => IsOpen ? 2f * farthestDistance : domainSize;
+            set
+            {
+                if (IsOpen) farthestDistance = 0.5f * value;
+                else domainSize = value;
+            }
+        }
+
+        /// <summary>
+        /// How far the liquid of an open domain may go from this transform along each of its axes, either way [m]. Particles beyond are
+        /// removed and counted: <see cref="FluidSimulation.RemovedParticles"/>.
+        /// </summary>
+        public Vector3 FarthestDistance { get => farthestDistance; set => farthestDistance = value; }
 
         /// <summary>Particle spacing dx [m].</summary>
         public float Spacing { get => particleSpacing; set => particleSpacing = value; }
@@ -272,6 +304,8 @@ namespace SphFluid
         /// <summary>Particles that the policies Fixed and RecycleOldest hold; 0: as many as the profile allows.</summary>
         public int Capacity { get => capacity; set => capacity = value; }
 
+        private bool IsOpen => Domain == FluidDomain.Open;
+
         /// <summary>
         /// The settings as they are now, with the transform's place; without the other components that belong to the simulation.
         /// </summary>
@@ -292,7 +326,8 @@ namespace SphFluid
                     Scale = transform.lossyScale,
                     Liquid = active,
                     Profile = acting != null ? acting.Spec : default,
-                    DomainSize = domainSize,
+                    IsOpen = IsOpen,
+                    DomainSize = DomainSize,
                     Spacing = particleSpacing,
                     Method = method,
                     ColliderLayers = colliderLayers,
@@ -304,7 +339,7 @@ namespace SphFluid
                     PartsSleep = partsSleep,
                     Gravity = EffectiveGravity,
                     BodyForce = bodyForce,
-                    Boundaries = boundaries,
+                    Boundaries = IsOpen ? boundaries.WithAllOpen() : boundaries,
                     VelocityField = VelocityField,
                     Seed = seed,
                     StartJitter = StartJitter,

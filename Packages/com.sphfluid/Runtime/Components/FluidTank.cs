@@ -89,8 +89,8 @@ namespace SphFluid
         {
             if (mesh == null) return; // it is disabled
             FluidSimulation owner = Simulation;
-            Vector3 size = owner != null && AffineMath.IsFinite(owner.DomainSize) ? Vector3.Max(owner.DomainSize, Vector3.zero)
-                : Vector3.zero;
+            bool hasWalls = owner != null && owner.Domain == FluidDomain.Box && AffineMath.IsFinite(owner.DomainSize);
+            Vector3 size = hasWalls ? Vector3.Max(owner.DomainSize, Vector3.zero) : Vector3.zero;
             if (shown == (size, Edge, lid)) return;
             shown = (size, Edge, lid);
             if (size == Vector3.zero) mesh.Clear();

@@ -41,7 +41,7 @@ namespace SphFluid
                 Leave();
                 return false;
             }
-            Matrix4x4 toSimulation = DomainSpace.FromWorld(liquid.transform.position, liquid.transform.rotation);
+            DomainPose toSimulation = DomainSpace.FromWorld(liquid.transform.position, liquid.transform.rotation);
             Vector3 centre = toSimulation.MultiplyPoint3x4(WorldPoint);
             Quaternion turn = (Quaternion.Inverse(liquid.transform.rotation) * carrier.rotation * rotation).normalized;
             if (Patch == null)
@@ -92,7 +92,7 @@ namespace SphFluid
         private bool Search(FluidSimulation liquid, Transform probe)
         {
             Transform domain = liquid.transform;
-            Matrix4x4 toSimulation = DomainSpace.FromWorld(domain.position, domain.rotation);
+            DomainPose toSimulation = DomainSpace.FromWorld(domain.position, domain.rotation);
             WallPlace? found = WallFinder.Find(liquid.Collision.Solids, liquid.Solver.Settings,
                 toSimulation.MultiplyPoint3x4(probe.position), toSimulation.MultiplyVector(probe.forward));
             colliderChanges = liquid.Collision.Changes;

@@ -24,7 +24,7 @@ namespace SphFluid
         public bool IgnoresCollider;
 
         /// <summary>The zone in simulation space.</summary>
-        public readonly DrainZone Zone(in Matrix4x4 worldToSimulation)
+        public readonly DrainZone Zone(in DomainPose worldToSimulation)
         {
             Matrix4x4 frame = worldToSimulation * Frame;
             return IsBox ? DrainZone.Box(frame) : DrainZone.Capsule(frame, Length);

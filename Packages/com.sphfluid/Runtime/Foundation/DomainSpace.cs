@@ -15,10 +15,7 @@ namespace SphFluid
             Mathf.Abs(place.x) <= 0.5f * size.x && Mathf.Abs(place.y) <= 0.5f * size.y && Mathf.Abs(place.z) <= 0.5f * size.z;
 
         /// <summary>World space to simulation space.</summary>
-        public static Matrix4x4 FromWorld(Vector3 position, Quaternion rotation)
-        {
-            Quaternion inverse = Quaternion.Inverse(rotation);
-            return Matrix4x4.TRS(inverse * -position, inverse, Vector3.one);
-        }
+        public static DomainPose FromWorld(Vector3 position, Quaternion rotation) =>
+            new DomainPose(position, Matrix4x4.Rotate(Quaternion.Inverse(rotation)));
     }
 }

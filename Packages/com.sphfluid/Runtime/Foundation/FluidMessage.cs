@@ -161,6 +161,10 @@ namespace SphFluid
 
         /// <summary>A liquid volume is drawn out to walls of its domain that it nearly reaches.</summary>
         VolumeDrawnOut,
+
+        /// <summary>Liquid of an open domain went farther than its farthest distance, and was removed.</summary>
+        FarthestReached,
+
         /// <summary>Parts of a liquid are to sleep, and its method, its forces or another setting keep all of it awake.</summary>
         PartsStayAwake,
     }

@@ -7,7 +7,7 @@ namespace SphFluid
     /// <summary>Brings the counter buffer (Shaders/Gpu/FluidCounters.hlsl) to the CPU without waiting for the GPU.</summary>
     internal sealed class CounterReadback : IDisposable
     {
-        public const int Slots = 16;
+        public const int Slots = 17;
         private const int AccelerationLimit = 0;
         private const int DomainClamp = 1;
         private const int NonFinite = 2;
@@ -21,10 +21,11 @@ namespace SphFluid
         private const int Blocked = 10;
         private const int Refused = 11;
         private const int ImpulseLimit = 12;
-        internal const int MaxSpeed = 13;
-        private const int MaxDensity = 14;
-        private const int SqueezersSlot = 15;
-        private const int FirstMaximum = 13;
+        private const int LeftThroughFace = 13;
+        internal const int MaxSpeed = 14;
+        private const int MaxDensity = 15;
+        private const int SqueezersSlot = 16;
+        private const int FirstMaximum = 14;
 
         private static readonly uint[] Zeros = new uint[Slots];
 
@@ -46,6 +47,9 @@ namespace SphFluid
         /// Numbers of two bodies that left a particle no place last, from 1 on, in 16 bits each, the larger first; 0: none.
         /// </summary>
         public uint Squeezers { get; private set; }
+
+        /// <summary>Of the removed, those that left through a face; not in saves, unlike the counters.</summary>
+        public long LeftThroughFaces { get; private set; }
 
         public float RestDensity { get; set; }
 
@@ -94,7 +98,9 @@ namespace SphFluid
             counters.Squeezed += Added(values, Squeezed);
             counters.Overlaps += Added(values, Overlap);
             counters.Contacts += Added(values, Contact);
-            counters.Removed += Added(values, Removed);
+            int left = Added(values, LeftThroughFace);
+            LeftThroughFaces += left;
+            counters.Removed += Added(values, Removed) + left;
             counters.Born += Added(values, Born);
             counters.Blocked += Added(values, Blocked);
             counters.Refused += Added(values, Refused);

@@ -65,6 +65,14 @@ namespace SphFluid
         /// <summary>Whether all is as without this setting.</summary>
         public bool IsDefault => Equals(default);
 
+        /// <summary>The same of a domain that is open on every side.</summary>
+        internal readonly FluidBoundaries WithAllOpen()
+        {
+            FluidBoundaries open = this;
+            open.Open = FluidFaces.All;
+            return open;
+        }
+
         /// <summary>Faces that are walls: neither open nor periodic.</summary>
         internal FluidFaces Walls => FluidFaces.All & ~(Open | FacesOf(Periodic));
 

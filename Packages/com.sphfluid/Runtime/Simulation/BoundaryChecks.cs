@@ -9,7 +9,17 @@ namespace SphFluid
         /// <summary>Checks a simulation whose domain size and spacing are positive numbers.</summary>
         public static void Check(in FluidSpec spec, List<FluidMessage> messages)
         {
-            if (Fault(spec) is string fault)
+            FluidSpec faces = spec;
+            if (spec.IsOpen && Fault(() => CheckFaces(faces)) != null)
+            {
+                bool mayBe = FluidMethods.Has(spec.Method, FluidMethodFeatures.OpenFaces);
+                messages.Add(new FluidMessage(FluidSeverity.Error, FluidIssue.BoundariesInvalid, spec.Owner, mayBe
+                        ? "The domain is open, and has neither periodic axes nor walls that move."
+                        : $"The domain is open, but the method {spec.Method} keeps the liquid in a box.",
+                    "Set Domain to Box, or " + (mayBe ? "take Periodic and all velocities out of Boundaries."
+                        : $"use the method {FluidMethodKind.Standard} or {FluidMethodKind.Robust}.")));
+            }
+            else if (Fault(spec) is string fault)
             {
                 int end = fault.IndexOf(". ", StringComparison.Ordinal) + 1;
                 messages.Add(new FluidMessage(FluidSeverity.Error, FluidIssue.BoundariesInvalid, spec.Owner,

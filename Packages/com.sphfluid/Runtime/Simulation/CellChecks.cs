@@ -27,7 +27,7 @@ namespace SphFluid
             messages.Add(new FluidMessage(FluidSeverity.Error, FluidIssue.TooManyCells, spec.Owner,
                 Invariant($"The domain of {FluidMessage.Lengths(spec.DomainSize)} m needs {needed:N0} cells for the neighbour search at ") +
                 Invariant($"a spacing of {spec.Spacing} m, but {owner} {most:N0}."),
-                Invariant($"Use a smaller Domain Size, or a Particle Spacing of {FittingSpacing(spec):G3} m or more.")));
+                Invariant($"Use a smaller {spec.SizeField}, or a Particle Spacing of {FittingSpacing(spec):G3} m or more.")));
         }
 
         /// <summary>Cells that a solver of these settings has; along periodic axes that are too short none.</summary>

@@ -111,7 +111,7 @@ namespace SphFluid
         /// <summary>Checks where the emitters of a simulation are before it starts; they may move later.</summary>
         public static void CheckPlaces(in FluidSpec spec, CollisionScene collision, List<FluidMessage> messages)
         {
-            Matrix4x4 worldToLocal = spec.WorldToLocal;
+            DomainPose worldToLocal = spec.WorldToLocal;
             for (int i = 0; i < (spec.Emitters?.Count ?? 0); i++)
             {
                 EmitterSpec emitter = spec.Emitters[i];
@@ -119,7 +119,7 @@ namespace SphFluid
                 if (!DomainSpace.Holds(place, spec.DomainSize))
                     messages.Add(new FluidMessage(FluidSeverity.Warning, FluidIssue.EmitterInvalid, emitter.Owner,
                         $"The emitter is outside the domain of '{spec.Name}': nothing flows while it is there.",
-                        "Move it into the domain, or enlarge Domain Size."));
+                        $"Move it into the domain, or enlarge {spec.SizeField}."));
                 else if (collision.FindCovering(place, 0f) is int covering && covering >= 0)
                     messages.Add(new FluidMessage(FluidSeverity.Warning, FluidIssue.EmitterInvalid, emitter.Owner,
                         $"The emitter is inside the collider of {collision.NameOf(covering)}: its liquid starts inside and is squeezed.",

@@ -147,8 +147,10 @@ namespace SphFluid
             bool spaced = AffineMath.IsFinite(spacing) && spacing > 0f;
             if (!sized)
             {
-                messages.Add(Error(spec.Owner, FluidIssue.DomainSizeInvalid, $"The domain size is {FluidMessage.Lengths(size)} m.",
-                    "Give Domain Size three numbers greater than zero."));
+                messages.Add(Error(spec.Owner, FluidIssue.DomainSizeInvalid,
+                    spec.IsOpen ? $"The farthest distance is {FluidMessage.Lengths(0.5f * size)} m."
+                        : $"The domain size is {FluidMessage.Lengths(size)} m.",
+                    $"Give {spec.SizeField} three numbers greater than zero."));
             }
             if (!spaced)
                 messages.Add(Error(spec.Owner, FluidIssue.SpacingInvalid, $"The particle spacing is {spacing} m.",
@@ -156,7 +158,7 @@ namespace SphFluid
             else if (sized && Mathf.Min(size.x, Mathf.Min(size.y, size.z)) < 2f * spacing)
                 messages.Add(Error(spec.Owner, FluidIssue.SpacingInvalid,
                     $"The domain of {FluidMessage.Lengths(size)} m is less than two particles of {spacing} m wide.",
-                    "Use a smaller Particle Spacing or a larger Domain Size."));
+                    $"Use a smaller Particle Spacing or a larger {spec.SizeField}."));
             if (!(spec.Gravity.magnitude <= MostGravity))
             {
                 messages

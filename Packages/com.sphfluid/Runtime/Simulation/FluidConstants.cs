@@ -73,7 +73,8 @@ namespace SphFluid
             return cure + System.FormattableString.Invariant($" and Fixed Time Step to {shorter} s");
         }
 
-        private static float FastestSource(in FluidSpec spec, float start)
+        /// <summary>Speed of the fastest emitter, and at least that of the start [m/s].</summary>
+        public static float FastestSource(in FluidSpec spec, float start)
         {
             double speed = start;
             for (int i = 0; i < (spec.Emitters?.Count ?? 0); i++) speed = System.Math.Max(speed, spec.Emitters[i].Speed(spec.Spacing));

@@ -218,7 +218,7 @@ namespace SphFluid
         private void Drain(in FluidSpec spec)
         {
             zones.Clear();
-            Matrix4x4 worldToLocal = spec.WorldToLocal;
+            DomainPose worldToLocal = spec.WorldToLocal;
             for (int i = 0; i < (spec.Drains?.Count ?? 0); i++)
             {
                 DrainSpec drain = spec.Drains[i];

@@ -21,6 +21,10 @@ namespace SphFluid
         // No liquid is measured to be without pressure altogether.
         private const double LeastCompression = 1e-4;
 
+        // s: an open domain has no lowest place that liquid surely reaches. Its speed counts as it is and with what it gains by falling for
+        // so long, twice as long as the speed of sound takes to follow.
+        private const double FallAhead = 0.25;
+
         // Of the step by rule: at a million times the speed of sound there is no liquid left to compute.
         private const double ShortestStep = 1e-6;
 
@@ -47,6 +51,11 @@ namespace SphFluid
             forgetPlaces = () => speeds.ForgetPlaces();
             stepAt = speed => LongestStep(FluidConstants.Derive(this.spec, this.start, this.start.Gravity, speed), gainInFrame);
             TakeLimits(spec, solver.Settings);
+            if (reference != null && spec.IsOpen)
+            {
+                reference.Begin(FluidConstants.FastestSource(spec, start.InitialSpeed) + FallAhead * spec.Gravity.magnitude);
+                solver.ApplySettings(AtReference());
+            }
             TakeClock();
         }
 
@@ -133,13 +142,21 @@ namespace SphFluid
             return 1;
         }
 
+        // The speed that the liquid has or will have.
+        private double Head => spec.IsOpen && !spec.BodyForce.IsOn
+            ? Math.Min(speeds.Sample.Head, speeds.Sample.Bulk + FallAhead * solver.Settings.Gravity.magnitude) : speeds.Sample.Head;
+
+        // And what holds deep liquid as stiff as it is to be, where no fall to the domain's floor does: compression goes with 1/c².
+        private double Pressed => spec.IsOpen && Compression > PressedByRule
+            ? reference.Speed * Math.Sqrt(Compression / PressedByRule) : 0.0;
+
         private void Prepare(double deltaTime, double bodyMotion)
         {
             double gain = Gain(deltaTime);
             if (speeds != null)
             {
                 // By now what falls or is pressed may be as fast as its head.
-                double head = Math.Min(speeds.Sample.Head, reference?.Most ?? solver.Settings.MaxSpeed);
+                double head = Math.Min(Head, reference?.Most ?? solver.Settings.MaxSpeed);
                 solver.FlowSpeed = (float)(SpeedMargin * Math.Max(speeds.Sample.Bulk, head));
                 solver.PeakSpeed = (float)Math.Max(SpeedMargin * speeds.Sample.Fastest + gain,
                     deltaTime > 0.0 ? bodyMotion / deltaTime : 0.0);
@@ -153,7 +170,7 @@ namespace SphFluid
         // A collider that moves is known before it hits.
         private void UpdateSpeed(double deltaTime, double bodySpeed, ColliderLoads loads)
         {
-            double head = Math.Min(speeds == null ? double.PositiveInfinity : Math.Max(speeds.Sample.Head, bodySpeed),
+            double head = Math.Min(speeds == null ? double.PositiveInfinity : Math.Max(Head, bodySpeed),
                 reference?.Most ?? solver.Settings.MaxSpeed);
             FluidRuleInput rules = spec.Profile.Rules;
             double load = loads.Load * rules.Stiffness / rules.SoundSpeedRatio;
@@ -161,7 +178,7 @@ namespace SphFluid
             Driven = Math.Min(Math.Max(loads.Speed, loaded), FluidSpec.MostSpeed);
             if (reference == null || yields) return;
             double leap = Math.Sqrt(PressedByRule / Math.Max(Compression, LeastCompression));
-            double asked = Follows(spec) ? Math.Max(speeds.Sample.Head, bodySpeed) : reference.Most;
+            double asked = Follows(spec) ? Math.Max(Math.Max(Head, Pressed), bodySpeed) : reference.Most;
             gainInFrame = Gain(deltaTime);
             double spare = SpareSpeed.For(deltaTime, asked, reference.Most, spec.MaxSubstepsPerFrame, stepAt);
             if (reference.Update(asked, deltaTime, Driven, Math.Min(loaded, Driven), leap, spare)) solver.ApplySettings(AtReference());
@@ -268,7 +285,8 @@ namespace SphFluid
 
         private void TakeSleep(in FluidSpec now, in FluidSolverSettings rule)
         {
-            double depth = FluidConstants.DepthAtRest(now, start, start.Gravity);
+            // The longest wave of an open domain is one of deep liquid.
+            double depth = now.IsOpen ? double.PositiveInfinity : FluidConstants.DepthAtRest(now, start, start.Gravity);
             if (!now.SleepsAtRest) sleep = null;
             else if (sleep == null) sleep = new SleepWatch(rule, depth);
             else sleep.Configure(rule, depth);

@@ -17,6 +17,7 @@ namespace SphFluid
         private readonly GuardMonitor guards = new GuardMonitor();
         private readonly ColliderLoads loads = new ColliderLoads();
         private readonly SoftnessWatch softness = new SoftnessWatch();
+        private readonly FarthestWatch farthest = new FarthestWatch();
         private readonly FluidPace pace;
         private readonly FluidFlows flows;
         private readonly FluidZones zones;
@@ -166,6 +167,7 @@ namespace SphFluid
             if (steps > 0) pace.Stepped(steps * pace.Clock.TimeStep);
             Know();
             if (softness.Update(spec, start, pace, Solver.Settings, loads, deltaTime) is FluidMessage soft) report(soft);
+            if (farthest.Update(spec, Solver.LeftThroughFaces) is FluidMessage far) report(far);
             if (substeps.Update(pace.Clock, steps, deltaTime) is string text)
             {
                 report(new FluidMessage(FluidSeverity.Warning, FluidIssue.SubstepCap, spec.Owner, text,
@@ -211,7 +213,7 @@ namespace SphFluid
         /// <returns>Number of particles that are tried.</returns>
         public int AddLiquid(in FluidSpec spec, Matrix4x4 unitToWorld, Vector3 velocity)
         {
-            Matrix4x4 toLocal = spec.WorldToLocal;
+            DomainPose toLocal = spec.WorldToLocal;
             return AddLiquid(spec, new LiquidBox("Added liquid", toLocal * unitToWorld, toLocal.MultiplyVector(velocity)));
         }
 

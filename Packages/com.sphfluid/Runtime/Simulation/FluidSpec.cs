@@ -33,6 +33,9 @@ namespace SphFluid
         /// <summary>What the liquid is; all zero without a profile.</summary>
         public ProfileSpec Profile;
 
+        /// <summary>Whether no face of the domain is a wall, and its size only a limit.</summary>
+        public bool IsOpen;
+
         public Vector3 DomainSize;
         public float Spacing;
 
@@ -91,6 +94,9 @@ namespace SphFluid
         /// <summary>A relaxed start as it was saved; null for none.</summary>
         public TextAsset SavedStart;
 
+        /// <summary>The field that says how large the domain is.</summary>
+        public readonly string SizeField => IsOpen ? "Farthest Distance" : "Domain Size";
+
         /// <summary>The owner's name; read when asked for, as Unity makes a new string each time.</summary>
         public readonly string Name => Owner.name;
 
@@ -114,7 +120,7 @@ namespace SphFluid
         public readonly Matrix4x4 LocalToWorld => DomainSpace.ToWorld(Position, Rotation);
 
         /// <summary>World space to simulation space.</summary>
-        public readonly Matrix4x4 WorldToLocal => DomainSpace.FromWorld(Position, Rotation);
+        public readonly DomainPose WorldToLocal => DomainSpace.FromWorld(Position, Rotation);
 
         /// <summary>Most particles that may live.</summary>
         public readonly int MostParticles

@@ -12,7 +12,7 @@ namespace SphFluid
         private readonly Vector3 domainSize, scale;
         private readonly float spacing, supportRatio, jitter;
         private readonly int seed, maxParticles;
-        private readonly bool octantSearch;
+        private readonly bool octantSearch, isOpen;
         private readonly FluidAxes periodic;
         private readonly FluidStartRelaxation relaxation;
         private readonly Func<Vector3, Vector3> velocityField;
@@ -26,6 +26,7 @@ namespace SphFluid
             maxParticles = spec.Profile.MaxParticles;
             octantSearch = BoundaryChecks.SearchesOctants(spec);
             method = spec.Method;
+            isOpen = spec.IsOpen;
             domainSize = spec.DomainSize;
             scale = spec.Scale;
             spacing = spec.Spacing;
@@ -44,7 +45,7 @@ namespace SphFluid
             ReferenceEquals(profile, other.profile) && ReferenceEquals(shaders, other.shaders) && method == other.method &&
             AffineMath.Same(domainSize, other.domainSize) && (scale - other.scale).sqrMagnitude < 1e-9f && spacing.Equals(other.spacing) &&
             supportRatio.Equals(other.supportRatio) && jitter.Equals(other.jitter) && seed == other.seed &&
-            maxParticles == other.maxParticles && octantSearch == other.octantSearch &&
+            maxParticles == other.maxParticles && octantSearch == other.octantSearch && isOpen == other.isOpen &&
             periodic == other.periodic && relaxation == other.relaxation && velocityField == other.velocityField &&
             ReferenceEquals(playback, other.playback);
 

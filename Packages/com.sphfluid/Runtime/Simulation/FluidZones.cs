@@ -92,7 +92,7 @@ namespace SphFluid
             zones ??= new ForceZones();
             now.Clear();
             bursts.Clear();
-            Matrix4x4 worldToLocal = spec.WorldToLocal;
+            DomainPose worldToLocal = spec.WorldToLocal;
             for (int i = 0; i < (spec.Zones?.Count ?? 0); i++)
             {
                 ZoneSpec zone = spec.Zones[i];
@@ -161,7 +161,7 @@ namespace SphFluid
         }
 
         // Bursts and impulses act for one frame. Where some may act on the same liquid, their sum is held to what one alone may give.
-        private void AddBlows(in FluidSpec spec, in Matrix4x4 worldToLocal, float time)
+        private void AddBlows(in FluidSpec spec, in DomainPose worldToLocal, float time)
         {
             blows.Clear();
             for (int i = 0; i < (spec.Zones?.Count ?? 0); i++)

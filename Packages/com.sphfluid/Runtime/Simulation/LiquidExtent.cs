@@ -59,7 +59,7 @@ namespace SphFluid
             float height = start.FallHeight(gravity);
             int count = spec.Emitters?.Count ?? 0;
             if (count == 0) return height;
-            Matrix4x4 worldToLocal = spec.WorldToLocal;
+            DomainPose worldToLocal = spec.WorldToLocal;
             var nozzles = new Vector3[count];
             for (int i = 0; i < count; i++) nozzles[i] = worldToLocal.MultiplyPoint3x4(spec.Emitters[i].Position);
             return Mathf.Max(height, new LiquidExtent(nozzles, 0.5f * spec.DomainSize).FallHeight(gravity));

@@ -37,6 +37,10 @@ namespace SphFluid
         /// <summary>The speed in use [m/s].</summary>
         public double Speed { get; private set; }
 
+        /// <summary>Starts below the speed by rule.</summary>
+        /// <param name="speed">The speed in use [m/s].</param>
+        public void Begin(double speed) => Speed = Math.Min(speed, Most);
+
         /// <summary>Takes over another speed by rule; where it grows, the speed in use grows with it at once.</summary>
         public void Limit(double most)
         {

@@ -14,7 +14,7 @@ namespace SphFluid
         /// <returns>Null when an error was added to the messages.</returns>
         public static LiquidShape Check(in VolumeSpec volume, in FluidSpec spec, CollisionScene collision, List<FluidMessage> messages)
         {
-            Matrix4x4 worldToLocal = spec.WorldToLocal;
+            DomainPose worldToLocal = spec.WorldToLocal;
             Matrix4x4 toSimulation = worldToLocal * volume.LocalToWorld;
             Vector3 velocity = worldToLocal.MultiplyVector(volume.Rotation * volume.InitialVelocity);
             if (!AffineMath.IsFinite(volume.InitialVelocity.sqrMagnitude))

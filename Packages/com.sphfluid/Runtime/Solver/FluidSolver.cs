@@ -168,6 +168,9 @@ namespace SphFluid
         /// <summary>The bodies that left a particle no place last, as <see cref="CounterReadback.Squeezers"/>.</summary>
         internal uint Squeezers => counters.Squeezers;
 
+        /// <summary>Particles that left through faces of the domain, since this solver was made.</summary>
+        internal long LeftThroughFaces => counters.LeftThroughFaces;
+
         /// <summary>Bytes of GPU memory that the solver holds.</summary>
         public long GpuBytes => state.Bytes + (recorder.Exchange?.GpuBytes ?? 0) + (state.Zones?.GpuBytes ?? 0) +
             (state.WallForces?.GpuBytes ?? 0);

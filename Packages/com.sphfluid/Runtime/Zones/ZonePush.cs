@@ -32,7 +32,7 @@ namespace SphFluid
         /// <summary>The force zone that gives the velocity within a time.</summary>
         /// <param name="worldToLocal">World to simulation space.</param>
         /// <param name="time">The time [s].</param>
-        public ForceZone Zone(in Matrix4x4 worldToLocal, float time)
+        public ForceZone Zone(in DomainPose worldToLocal, float time)
         {
             var zone = new ForceZone { Core = new Vector4(0f, 0f, 0f, radius), Uniform = worldToLocal.MultiplyVector(velocity / time) };
             zone.Centre.w = -outward / time;

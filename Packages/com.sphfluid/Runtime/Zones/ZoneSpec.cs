@@ -87,7 +87,7 @@ namespace SphFluid
         /// <param name="worldToLocal">World to simulation space.</param>
         /// <param name="simulation">Rotation of the simulation.</param>
         /// <param name="time">The liquid's time [s].</param>
-        public readonly ForceZone Zone(in Matrix4x4 worldToLocal, Quaternion simulation, double time)
+        public readonly ForceZone Zone(in DomainPose worldToLocal, Quaternion simulation, double time)
         {
             Quaternion turn = Quaternion.Inverse(simulation) * Rotation;
             Vector3 forward = turn * Vector3.forward, up = turn * Vector3.up;
@@ -120,7 +120,7 @@ namespace SphFluid
         /// <param name="worldToLocal">World to simulation space.</param>
         /// <param name="simulation">Rotation of the simulation.</param>
         /// <param name="acceleration">The acceleration [m/s²], world space.</param>
-        public readonly ForceZone Burst(in Matrix4x4 worldToLocal, Quaternion simulation, Vector3 acceleration)
+        public readonly ForceZone Burst(in DomainPose worldToLocal, Quaternion simulation, Vector3 acceleration)
         {
             var zone = new ForceZone { Core = Core, Uniform = worldToLocal.MultiplyVector(acceleration) };
             zone.Place(worldToLocal.MultiplyPoint3x4(Position), Quaternion.Inverse(simulation) * Rotation * ShapeTurn);

@@ -10,14 +10,15 @@
 #define COUNTER_SQUEEZED 5
 #define COUNTER_OVERLAP 6
 #define COUNTER_CONTACT 7
-#define COUNTER_REMOVED 8
+#define COUNTER_REMOVED 8 // but through a face
 #define COUNTER_BORN 9
 #define COUNTER_BLOCKED 10
 #define COUNTER_REFUSED 11
 #define COUNTER_IMPULSE_LIMIT 12
-#define COUNTER_MAX_SPEED 13
-#define COUNTER_MAX_DENSITY 14
-#define COUNTER_SQUEEZERS 15 // numbers of two bodies in 16 bits each, 0: none
+#define COUNTER_LEFT_THROUGH_FACE 13
+#define COUNTER_MAX_SPEED 14
+#define COUNTER_MAX_DENSITY 15
+#define COUNTER_SQUEEZERS 16 // numbers of two bodies in 16 bits each, 0: none
 
 RWStructuredBuffer<uint> _Counters;
 
@@ -29,10 +30,9 @@ void CountEvent(uint slot)
 // Non-negative floats order as their bits do, so an integer maximum serves and does not depend on thread timing.
 void CountMaximum(uint slot, float value)
 {
-    const uint bits = asuint(value);
-    if (bits > _Counters[slot])
+    if (asuint(value) > _Counters[slot])
     {
-        InterlockedMax(_Counters[slot], bits);
+        InterlockedMax(_Counters[slot], asuint(value));
     }
 }
 

@@ -25,6 +25,12 @@ float3 FluidWorldPosition(float3 local)
     return mul(_FluidLocalToWorld, float4(local, 1.0)).xyz;
 }
 
+// Where simulation space has its origin in the world.
+float3 FluidOrigin()
+{
+    return float3(_FluidLocalToWorld[0].w, _FluidLocalToWorld[1].w, _FluidLocalToWorld[2].w);
+}
+
 float3 FluidWorldDirection(float3 local)
 {
     return mul((float3x3)_FluidLocalToWorld, local);
@@ -33,8 +39,7 @@ float3 FluidWorldDirection(float3 local)
 // From world space back to simulation space.
 float3 FluidLocalPosition(float3 world)
 {
-    float3 translation = float3(_FluidLocalToWorld[0].w, _FluidLocalToWorld[1].w, _FluidLocalToWorld[2].w);
-    return mul(transpose((float3x3)_FluidLocalToWorld), world - translation);
+    return mul(transpose((float3x3)_FluidLocalToWorld), world - FluidOrigin());
 }
 
 float3 FluidLocalDirection(float3 world)
@@ -93,10 +98,16 @@ float4 FluidClipPosition(float3 world)
     return mul(unity_MatrixVP, float4(FluidMatrixPosition(world), 1.0));
 }
 
-// Moves a shadow caster away from the light, but never in front of the light's near plane.
-float4 FluidShadowClipPosition(float3 world)
+// The same of a place in simulation space. At 10 km from the origin places in the world have steps of 1 mm, so the way from the domain's
+// middle is projected apart; what rounding is left moves all of a picture alike.
+float4 FluidClipOfLocal(float3 local)
 {
-    float4 clipPosition = FluidClipPosition(world);
+    return mul(unity_MatrixVP, float4(FluidWorldDirection(local), 0.0)) + FluidClipPosition(FluidOrigin());
+}
+
+// Moves a shadow caster away from the light, but never in front of the light's near plane.
+float4 FluidShadowClipPosition(float4 clipPosition)
+{
 #if defined(FLUID_REVERSED_Z)
     clipPosition.z += max(-1.0, min(unity_LightShadowBias.x / clipPosition.w, 0.0));
     float clamped = min(clipPosition.z, clipPosition.w);

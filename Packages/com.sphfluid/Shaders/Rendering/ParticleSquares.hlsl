@@ -49,7 +49,7 @@ SquareFragment ExpandSquare(uint vertexId : SV_VertexID EYE_PARAMETER)
     float share = _FastSpeed > 0.0 ? saturate(length(particle.VelT1) / _FastSpeed) : 0.0;
     output.colour = lerp(_Color.rgb, _FastColor.rgb, share);
 #if defined(FLUID_SHADOW_CASTER)
-    output.clipPosition = FluidShadowClipPosition(output.world);
+    output.clipPosition = FluidShadowClipPosition(FluidClipPosition(output.world));
 #else
     output.clipPosition = FluidClipPosition(output.world);
 #endif

@@ -40,21 +40,22 @@ float3 SeenOutside(WaterRay ray)
 float4 ShadeFromWithin(SurfaceFragment input) : SV_Target
 {
     EYE_OF(input)
-    float2 screen = WaterScreen(input.world);
-    float face = WaterEyeDepth(input.world);
+    const float3 world = SurfaceWorld(input);
+    float2 screen = WaterScreen(world);
+    float face = WaterEyeDepth(world);
     float doubt = 4e-3 * max(face, 1.0);
     bool isWithin = UnpairedFaces(screen) > 0.5 && face < FirstLayerEnd(screen) + doubt;
     clip(isWithin ? 1.0 : -1.0);
 
-    float3 sight = -WaterView(input.world);
+    float3 sight = -WaterView(world);
     float3 normal = SurfaceNormal(input);
     float alongAxis = max(dot(-sight, normalize(unity_MatrixV[2].xyz)), 1e-3);
     float scene = SceneEyeDepth(screen);
-    bool isAtWall = LeaveDomain(input.world - sight * _MCCellSize.x, sight).metres < 3.0 * _MCCellSize.x;
+    bool isAtWall = LeaveDomain(world - sight * _MCCellSize.x, sight).metres < 3.0 * _MCCellSize.x;
     float path = min(scene, face) / alongAxis;
     float3 dimmed = exp(-_FluidExtinction.rgb * path);
     float seen = min(path, 1.0 / max(_FluidExtinction.g, 1e-6)); // most of what scatters to the camera does so before
-    float sun = WaterSun(input.world - sight * (face / alongAxis - 0.5 * seen), 0.0);
+    float sun = WaterSun(world - sight * (face / alongAxis - 0.5 * seen), 0.0);
     float3 body = FluidExposed(WaterBody(path, sun));
     if (_FluidScene.x == WATER_SCENE_NONE)
         return float4(body, 1.0 - dot(dimmed, 1.0 / 3.0));
@@ -69,13 +70,13 @@ float4 ShadeFromWithin(SurfaceFragment input) : SV_Target
         float3 bent = refract(sight, -normal, WATER_TO_AIR);
         if (dot(bent, bent) < 0.5)
         {
-            WaterRay mirrored = StartRay(input.world, reflect(sight, normal));
+            WaterRay mirrored = StartRay(world, reflect(sight, normal));
             light = SeenAlong(mirrored, LeaveDomain(mirrored.start, mirrored.direction).metres, sun);
         }
         else
         {
             float reflected = FluidFresnel(normal, bent, _FluidEmission.w);
-            light = SeenOutside(StartRay(input.world, bent)) * (1.0 - reflected) + FluidExposed(WaterBody(NOTHING_BEHIND, sun)) * reflected;
+            light = SeenOutside(StartRay(world, bent)) * (1.0 - reflected) + FluidExposed(WaterBody(NOTHING_BEHIND, sun)) * reflected;
         }
     }
     return float4(light * dimmed + body, 1.0);

@@ -128,14 +128,15 @@ float3 WaterLayer(float3 transmitted, float3 normal, float sun)
 float4 ShadeWater(SurfaceFragment input) : SV_Target
 {
     EYE_OF(input)
-    float3 view = WaterView(input.world);
+    const float3 world = SurfaceWorld(input);
+    float3 view = WaterView(world);
     float3 normal = SurfaceNormal(input);
     float mirrored = FluidFresnel(normal, view, _FluidEmission.w);
     bool mirrors = _FluidRefractionSteps.w > 0.5 && _FluidScene.x != WATER_SCENE_NONE && mirrored > LEAST_MIRRORED;
-    SeenThrough seen = SeeThrough(input.world, view, normal, mirrors);
+    SeenThrough seen = SeeThrough(world, view, normal, mirrors);
 
     float3 transmitted = exp(-_FluidExtinction.rgb * seen.path);
-    float sun = WaterSun(input.world, normal);
+    float sun = WaterSun(world, normal);
     float3 body = WaterLayer(transmitted, normal, sun);
     float3 highlight = FluidHighlight(_Smoothness, normal, view, NormalVariance(normal), _FluidEmission.w) * sun;
     float3 surroundings = FluidExposed(WaterMirror(reflect(-view, normal)));

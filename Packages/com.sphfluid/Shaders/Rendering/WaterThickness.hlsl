@@ -22,7 +22,7 @@ DepthFragment FetchDepth(uint vertexId : SV_VertexID)
     SurfaceFragment surface = FetchSurface(vertexId);
     DepthFragment output;
     output.clipPosition = surface.clipPosition;
-    output.depth = -dot(unity_MatrixV[2].xyz, surface.world - FluidWorldPosition(0.0));
+    output.depth = -dot(unity_MatrixV[2].xyz, FluidWorldDirection(surface.local));
     return output;
 }
 

@@ -14,12 +14,13 @@ float _Smoothness;
 float4 ShadeSurface(SurfaceFragment input) : SV_Target
 {
     EYE_OF(input)
-    float3 view = normalize(_WorldSpaceCameraPos - input.world);
+    const float3 world = SurfaceWorld(input);
+    float3 view = normalize(_WorldSpaceCameraPos - world);
     float3 normal = SurfaceNormal(input);
     float edgeOn = 1.0 - saturate(dot(normal, view));
     float3 body = lerp(_Color.rgb, sqrt(max(_Color.rgb, 0.0)), EDGE_BRIGHTENING * edgeOn * edgeOn);
     float mirrored = FluidFresnel(normal, view);
-    float sun = ReceivedSun(input.world, normal);
+    float sun = ReceivedSun(world, normal);
     float3 colour = FluidDiffuse(body, normal, sun) * (1.0 - mirrored);
     colour += FluidAmbient(reflect(-view, normal)) * mirrored;
     colour += FluidHighlight(_Smoothness, normal, view) * sun;

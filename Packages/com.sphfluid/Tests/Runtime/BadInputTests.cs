@@ -96,6 +96,33 @@ namespace SphFluid.Tests
             Fails(simulation, FluidIssue.GravityInvalid, "'Fluid': Gravity is not a finite number");
         }
 
+        [TestCase(0f, FluidIssue.DomainSizeInvalid, "The farthest distance is 0 × 10 × 50 m.*Give Farthest Distance")]
+        [TestCase(float.NaN, FluidIssue.DomainSizeInvalid, "The farthest distance is NaN × 10 × 50 m.*Give Farthest Distance")]
+        [TestCase(300f, FluidIssue.TooManyCells, "The domain of 600 × 20 × 100 m needs [0-9,]+ cells.*Use a smaller Farthest Distance")]
+        public void AFarthestDistanceThatCannotBe(float value, FluidIssue issue, string expected)
+        {
+            FluidSimulation simulation = rig.Create();
+            simulation.Domain = FluidDomain.Open;
+            simulation.FarthestDistance = new Vector3(value, 10f, 50f);
+            simulation.Spacing = 0.03f;
+            Fails(simulation, issue, "'Fluid': " + expected);
+        }
+
+        [Test]
+        public void AnOpenDomainWithFacesOfABox()
+        {
+            FluidSimulation simulation = rig.Create();
+            simulation.Domain = FluidDomain.Open;
+            simulation.FarthestDistance = Vector3.one;
+            simulation.Boundaries = new FluidBoundaries { Periodic = FluidAxes.X };
+            Fails(simulation, FluidIssue.BoundariesInvalid, "'Fluid': The domain is open, and has neither periodic.*Set Domain to Box");
+            simulation.Boundaries = default;
+            simulation.Method = FluidMethodKind.Thesis;
+            Fails(simulation, FluidIssue.BoundariesInvalid, "'Fluid': The domain is open, but the method Thesis keeps.*Set Domain to Box");
+            simulation.Method = FluidMethodKind.Standard;
+            Assert.That(simulation.Validate().Where(m => m.Severity == FluidSeverity.Error), Is.Empty);
+        }
+
         [Test]
         public void UnstableTimeStepIsAWarningWithTheLimit()
         {

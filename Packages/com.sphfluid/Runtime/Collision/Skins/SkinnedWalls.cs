@@ -23,7 +23,7 @@ namespace SphFluid
         public void AddStates(in CollisionQuery query, List<ColliderState> states)
         {
             if ((query.Walls?.Count ?? 0) == 0 && skins.Count == 0) return;
-            Matrix4x4 worldToSimulation = query.WorldToSimulation;
+            DomainPose worldToSimulation = query.WorldToSimulation;
             var domain = new Bounds(query.Position, 2f * AffineMath.Extents(Matrix4x4.Rotate(query.Rotation), query.HalfExtents));
             for (int i = 0; i < (query.Walls?.Count ?? 0); i++)
             {

@@ -62,7 +62,7 @@ namespace SphFluid
         /// <param name="worldToSimulation">World space to simulation space.</param>
         /// <param name="domain">Edge lengths of the domain [m].</param>
         /// <param name="spacing">Particle spacing dx [m].</param>
-        public ColliderState StateOf(Collider collider, float friction, in Matrix4x4 worldToSimulation, Vector3 domain, float spacing)
+        public ColliderState StateOf(Collider collider, float friction, in DomainPose worldToSimulation, Vector3 domain, float spacing)
         {
 #if SPHFLUID_TERRAIN
             if (collider is TerrainCollider terrain && Find(terrain, worldToSimulation, domain, spacing) is TriangleMesh mesh)
@@ -73,13 +73,13 @@ namespace SphFluid
 
 #if SPHFLUID_TERRAIN
         // Null where there is no data, or too much.
-        private TriangleMesh Find(TerrainCollider collider, in Matrix4x4 worldToSimulation, Vector3 domain, float spacing)
+        private TriangleMesh Find(TerrainCollider collider, in DomainPose worldToSimulation, Vector3 domain, float spacing)
         {
             if (!HasData(collider)) return null;
             TerrainData data = collider.terrainData;
             if (!patches.TryGetValue(collider, out Patch patch)) patch = Add(collider);
 
-            Matrix4x4 toWorld = worldToSimulation.inverse;
+            Matrix4x4 toWorld = ((Matrix4x4)worldToSimulation).inverse;
             Vector3 centre = toWorld.GetPosition() - collider.transform.position;
             Vector3 extents = AffineMath.Extents(toWorld, 0.5f * domain + 4f * spacing * Vector3.one);
             Vector3 cell = data.size / (data.heightmapResolution - 1);

@@ -33,7 +33,7 @@ namespace SphFluid
         /// <param name="friction">0 free slip to 1 no slip; negative: as the domain's faces.</param>
         /// <param name="worldToSimulation">World space to simulation space.</param>
         /// <param name="spacing">Particle spacing dx [m].</param>
-        public ColliderState StateOf(Collider collider, IColliderSettings settings, float friction, in Matrix4x4 worldToSimulation,
+        public ColliderState StateOf(Collider collider, IColliderSettings settings, float friction, in DomainPose worldToSimulation,
             float spacing)
         {
 #if SPHFLUID_VEHICLES
@@ -54,7 +54,7 @@ namespace SphFluid
         public void AddStates(in CollisionQuery query, List<Collider> hits, List<ColliderState> states)
         {
 #if SPHFLUID_VEHICLES
-            Matrix4x4 worldToSimulation = query.WorldToSimulation;
+            DomainPose worldToSimulation = query.WorldToSimulation;
             for (int i = 0; i < (query.Walls?.Count ?? 0); i++)
             {
                 WallSpec spec = query.Walls[i];

@@ -11,15 +11,15 @@ Texture2D<float4> _CausticsEnds;
 #define STEEP 0.2      // cosine to the vertical: walls of the water bend no light to the floor; from twice that on it is all bent
 
 // Metres towards the light, from the middle of the domain.
-float TowardsLight(float3 world)
+float TowardsLight(float3 local)
 {
-    return dot(_FluidLightDirection.xyz, world - FluidWorldPosition(0.0));
+    return dot(_FluidLightDirection.xyz, FluidWorldDirection(local));
 }
 
 // Far faces with the larger of two: the end of the layer that the light meets first.
 float4 ShowEnd(SurfaceFragment input) : SV_Target
 {
-    return TowardsLight(input.world);
+    return TowardsLight(input.local);
 }
 
 // xy: texels that light is turned aside for each metre that it goes down; z: height above the middle of the domain [m]; w: share of the
@@ -28,11 +28,11 @@ float4 ShowEnd(SurfaceFragment input) : SV_Target
 float4 ShowRefraction(SurfaceFragment input) : SV_Target
 {
     float3 normal = SurfaceNormal(input);
-    float layer = TowardsLight(input.world) - _CausticsEnds.Load(int3((int2)input.clipPosition.xy, 0)).x;
+    float layer = TowardsLight(input.local) - _CausticsEnds.Load(int3((int2)input.clipPosition.xy, 0)).x;
     float share = saturate(layer / (THIN_LAYER * max(_FluidReceived.y, 1e-6)) - 1.0) * saturate(normal.y / STEEP - 1.0);
     float3 bent = refract(-_FluidLightDirection.xyz, normal, AIR_TO_WATER);
     float2 aside = float2(dot(_CausticsRows[0].xyz, bent), dot(_CausticsRows[1].xyz, bent)) / max(-bent.y, STEEP);
-    return float4(aside, input.world.y - FluidWorldPosition(0.0).y, 1.0) * share;
+    return float4(aside, FluidWorldDirection(input.local).y, 1.0) * share;
 }
 
 #endif

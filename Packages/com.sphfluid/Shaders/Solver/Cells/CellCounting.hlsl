@@ -16,11 +16,11 @@ uint _Drains;     // 1: DrainParticles has gone before
 // place: the new one; w: what the method takes along.
 void CountInCell(uint id, float4 place)
 {
-    bool leaves = false;
+    bool isBeyond = false, leaves = false;
     [branch]
     if (_KeepsOrder == 0u)
     {
-        leaves = any(place.xyz < _OpenLow) || any(place.xyz > _OpenHigh);
+        leaves = isBeyond = any(place.xyz < _OpenLow) || any(place.xyz > _OpenHigh);
         [branch]
         if (_Drains != 0u)
         {
@@ -29,7 +29,7 @@ void CountInCell(uint id, float4 place)
         _CellTableOut[_RankBegin + id] = CountCell(leaves ? RemovedCell() : CellNumber(CellAt(place.xyz)), id);
         if (leaves)
         {
-            CountEvent(COUNTER_REMOVED);
+            CountEvent(isBeyond ? COUNTER_LEFT_THROUGH_FACE : COUNTER_REMOVED);
         }
     }
     _NewPositionsOut[id] = float4(place.xyz, leaves ? -1.0 : place.w > 0.0 ? place.w : 0.0); // what is not a number is not known

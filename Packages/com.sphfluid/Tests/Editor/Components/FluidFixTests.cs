@@ -80,6 +80,18 @@ namespace SphFluid.Tests
         }
 
         [Test]
+        public void AnOpenDomain()
+        {
+            simulation.Domain = FluidDomain.Open;
+            simulation.FarthestDistance = new Vector3(-3f, 2f, 2f);
+            Cure(FluidIssue.DomainSizeInvalid);
+            Assert.That(simulation.FarthestDistance, Is.EqualTo(new Vector3(3f, 2f, 2f)));
+            simulation.Boundaries = new FluidBoundaries { Periodic = FluidAxes.X };
+            Cure(FluidIssue.BoundariesInvalid);
+            Assert.That(simulation.Domain, Is.EqualTo(FluidDomain.Box));
+        }
+
+        [Test]
         public void WrongFacesAndForces()
         {
             simulation.BodyForce = new FluidBodyForce { RateSquared = Vector3.one };

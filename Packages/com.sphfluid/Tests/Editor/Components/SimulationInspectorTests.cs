@@ -30,6 +30,17 @@ namespace SphFluid.Tests
             Assert.That(FluidInspector.Visible(edited, FluidSimulationEditor.Rows), Is.EqualTo(all.Except(FluidSimulationEditor.Rows)));
         }
 
+        [TestCase(FluidDomain.Box, "domainSize")]
+        [TestCase(FluidDomain.Open, "farthestDistance")]
+        public void TheSizeOfEitherDomainHasOneRow(FluidDomain domain, string field)
+        {
+            simulation.Domain = domain;
+            var edited = new SerializedObject(simulation);
+            Assert.That(FluidSimulationEditor.SizeOf(edited), Is.EqualTo(field));
+            Assert.That(FluidSimulationEditor.Hidden(edited), Has.Member("farthestDistance"), "it is not under Advanced as well");
+            InspectorDrawing.Draw(simulation);
+        }
+
         [Test]
         public void UnfoldedItDrawsToo()
         {

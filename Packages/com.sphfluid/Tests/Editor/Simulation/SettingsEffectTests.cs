@@ -109,6 +109,8 @@ namespace SphFluid.Tests
                 simulation.Gravity = new Vector3(1f, -2f, 3f);
                 yield return method;
             }
+            simulation.Domain = FluidDomain.Open;
+            yield return simulation.Method;
         }
 
         private bool ChangesAKey(FieldInfo[] path)

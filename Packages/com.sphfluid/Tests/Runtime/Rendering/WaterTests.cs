@@ -1,4 +1,5 @@
 using System.Collections;
+using System.Collections.Generic;
 using System.Linq;
 using NUnit.Framework;
 using UnityEngine;
@@ -52,6 +53,22 @@ namespace SphFluid.Tests
             Color green = view.PixelAt(picture, right.transform.position);
             Assert.Greater(red.r, 1.3f * red.g);
             Assert.Greater(green.g, 1.3f * green.r);
+        }
+
+        // Places in the world have steps of 1 mm there, an eighth of a pixel: so far the camera's matrix moves the picture as a whole.
+        [UnityTest]
+        public IEnumerator TenKilometresAwayWaterLooksTheSame()
+        {
+            var pictures = new List<Picture>();
+            foreach (Vector3 place in new[] { Vector3.zero, new Vector3(10000f, 0f, 10000f) })
+            {
+                FluidSurfaceRenderer drawing = Create("Fluid", place, new Color(0.02f, 0.5f, 1f));
+                view.Camera.transform.position = place - 2f * Vector3.forward;
+                yield return PictureRig.Frames(6);
+                pictures.Add(new Picture(Width, Height, view.Pixels()));
+                drawing.gameObject.SetActive(false);
+            }
+            Assert.That(StructuralSimilarity.Of(pictures[0], pictures[1]), Is.GreaterThan(0.97));
         }
 
         // The second camera is smaller, so that it fills only a part of the thickness picture, and it sees the same.

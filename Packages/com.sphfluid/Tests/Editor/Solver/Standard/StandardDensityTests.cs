@@ -10,7 +10,7 @@ namespace SphFluid.Tests
     public sealed class StandardDensityTests
     {
         private const float Spacing = 0.05f;
-        private const int MaxDensity = 14; // COUNTER_MAX_DENSITY
+        private const int MaxDensity = 15; // COUNTER_MAX_DENSITY
 
         private static readonly Vector2 Canary = new Vector2(-7f, -8f);
         private static readonly Vector3 Domain = new Vector3(0.4f, 0.5f, 0.35f);

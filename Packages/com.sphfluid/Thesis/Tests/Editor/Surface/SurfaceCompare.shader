@@ -25,7 +25,7 @@ Shader "Hidden/SPH Fluid/Tests/Surface Compare"
 
             float4 WriteNumbers(SurfaceFragment input) : SV_Target
             {
-                return float4(distance(input.world, _Eye.xyz), normalize(input.normal).xy, 1.0);
+                return float4(distance(SurfaceWorld(input), _Eye.xyz), normalize(input.normal).xy, 1.0);
             }
             ENDHLSL
         }
