@@ -9,22 +9,22 @@ namespace SphFluid.Samples
     [RequireComponent(typeof(Rigidbody))]
     public sealed class Duck : MonoBehaviour
     {
-        private const float StrokeTime = 0.5f;
+        private const float StrokeTime = 0.8f;
 
         [SerializeField, Min(0f), Tooltip("Radius of the circle [m]. The duck starts on it, and the middle is on its right.")]
-        private float reach = 0.3f;
+        private float reach = 0.2f;
 
         [SerializeField, Tooltip("How fast it goes round [degrees/s].")]
-        private float lap = 45f;
+        private float lap = 25f;
 
-        [SerializeField, Min(0.5f), Tooltip("From one stroke to the next [s].")]
+        [SerializeField, Min(StrokeTime), Tooltip("From one stroke to the next [s].")]
         private float pause = 1.2f;
 
         [SerializeField, Min(0f), Tooltip("Push of a stroke, at most [N].")]
-        private float push = 12f;
+        private float push = 5f;
 
         [SerializeField, Min(0f), Tooltip("Torque of a stroke, at most [N m].")]
-        private float turn = 0.8f;
+        private float turn = 0.4f;
 
         [SerializeField, Min(0f), Tooltip("How far the centre of mass is below the middle [m]; it keeps the duck upright.")]
         private float ballast = 0.07f;
