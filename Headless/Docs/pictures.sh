@@ -64,6 +64,7 @@ storm-in-a-glass StormInAGlass 480x270 2x2 0 0.6 1 1.5
 honey-on-bread HoneyOnBread 480x270 2x2 0.4 0.7 1.1 1.5
 lava-on-steps LavaOnSteps 480x270 2x2 0 0.5 1 1.5
 gallery Gallery 480x270 2x2 2 5.5 9 12.5
+duck-pond DuckPond 480x270 2x2 0.5 2 4 6
 water-wheel WaterWheel 480x270 2x2 0.3 0.8 1.5 2.4
 stairs Stairs 480x270 2x2 3 6 9 13
 PICTURES

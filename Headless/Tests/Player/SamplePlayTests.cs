@@ -29,6 +29,7 @@ public sealed class SamplePlayTests
     [TestCase("Liquids", 0.1, 270)]
     [TestCase("Waterfall", 0.04, 300, 400)]
     [TestCase("Harbour", 0.04, 300, 400)]
+    [TestCase("DuckPond", 0.04, 300, 400)]
     [TestCase("StormInAGlass", 0.04, 300, 400)]
     [TestCase("Gallery", 0.04, 300, 400)]
     [TestCase("Stairs", 0.1, 90)]
