@@ -33,7 +33,7 @@ namespace SphFluid
         public override bool HasStableOrder => Own.StableOrder;
 
         /// <summary>Forces with passes of their own walk over all particles, and so does what is summed on walls.</summary>
-        public override bool SleepsInParts => !Own.ImplicitViscosity && !StandardForces.Acting(Own).Any() && WallForces == null;
+        public override bool SleepsInParts => !Own.ImplicitViscosity && !forces.Keys.Any(force => force.Acts(Own)) && WallForces == null;
 
         /// <inheritdoc/>
         public override FluidBuffer Carried => carried?.Carried;

@@ -10,7 +10,7 @@ namespace SphFluid
         private const double Jitter = 0.12, Drift = 0.08, Still = 0.01;
 
         // Of a spacing, for what goes slowly but goes on.
-        private const double Gone = 0.1;
+        private const double Gone = 0.15;
 
         // s.
         private const double LeastCalm = 0.6, DriftSeconds = 1.0;

@@ -135,7 +135,8 @@ namespace SphFluid.Tests
                     int count = BrickOf.Count(of => of == b);
                     bool moves = count > 0 && (motions[b] == Motion.Wild || motions[b] == Motion.Drifting);
                     bool trembles = count > 1 && motions[b] == Motion.Trembling;
-                    double later = Math.Min(calm[b] + SinceSort, trembles ? rule.CalmTime : whole);
+                    double longer = calm[b] + SinceSort;
+                    double later = trembles ? Math.Max(calm[b], Math.Min(longer, rule.CalmTime)) : Math.Min(longer, whole);
                     calm[b] = moves || motions[b] == Motion.KeptAwake ? 0.0 : later;
                 }
                 for (int b = 0; b < calm.Length; b++)
