@@ -10,7 +10,7 @@ namespace SphFluid
     /// </summary>
     internal sealed class SleepBricks : BufferSet
     {
-        /// <summary>BRICK_WORDS in SleepParticles.compute, and which of them says that a brick sleeps, by 2.</summary>
+        /// <summary>BRICK_WORDS, BRICK_STATE and BRICK_ASLEEP in SleepParticles.compute.</summary>
         public const int Words = 10, State = 6, Asleep = 2;
 
         /// <summary>Boxes that keep bricks awake; what there is more is in the last.</summary>
