@@ -54,7 +54,7 @@ namespace SphFluid
             if (rule is SleepRule given && SleepsInParts)
             {
                 Sleep ??= new SleepBricks(Cells);
-                if (!Sleep.Rule.Equals(given)) Sleep.Rule = given;
+                Sleep.Rule = given;
                 return;
             }
             if (Sleep != null) Retired.Add(Sleep);

@@ -29,8 +29,7 @@ namespace SphFluid
         private readonly Vector4[] corners = new Vector4[2 * MostBoxes];
 
         /// <param name="cells">The cells, with a border that no brick has.</param>
-        /// <param name="isPlanned">Whether only the buffers' sizes are asked for.</param>
-        public SleepBricks(in CellRows cells, bool isPlanned = false) : base(isPlanned)
+        public SleepBricks(in CellRows cells)
         {
             Vector3Int inner = cells.Counts - 2 * Vector3Int.one;
             Side = LeastSide;
@@ -68,7 +67,6 @@ namespace SphFluid
 
         /// <summary>The square of the speed of sound for which the densities of what sleeps are [m²/s²].</summary>
         public float Stiffness { get; set; }
-
 
         /// <summary>Bricks wake with the next pass.</summary>
         /// <param name="all">All, or those that are kept awake.</param>

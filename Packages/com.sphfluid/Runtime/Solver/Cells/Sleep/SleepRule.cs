@@ -3,7 +3,7 @@ using System;
 namespace SphFluid
 {
     /// <summary>When a part of a liquid is calm, and when it sleeps; SI.</summary>
-    internal readonly struct SleepRule : IEquatable<SleepRule>
+    internal readonly struct SleepRule
     {
         // Of the speed that gravity gives over a spacing. A pool at rest that is 10 layers deep breathes with 0.05, and its particles
         // tremble with 0.04 (root mean square); a still one has less than 0.005 of either.
@@ -52,12 +52,5 @@ namespace SphFluid
 
         /// <summary>In which the velocities of what is to sleep fade by a factor e [s].</summary>
         public float FadeTime { get; }
-
-        public bool Equals(SleepRule other) => JitterSpeed.Equals(other.JitterSpeed) && DriftSpeed.Equals(other.DriftSpeed) &&
-            MostDrift.Equals(other.MostDrift) && StillTime.Equals(other.StillTime);
-
-        public override bool Equals(object obj) => obj is SleepRule other && Equals(other);
-
-        public override int GetHashCode() => HashCode.Combine(JitterSpeed, MostDrift);
     }
 }
