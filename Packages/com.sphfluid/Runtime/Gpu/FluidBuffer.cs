@@ -52,7 +52,9 @@ namespace SphFluid
         public BufferRange Range(string part, long begin) => new BufferRange(this, part, checked((int)begin));
 
         /// <summary>Fills the buffer from the CPU, unless it is only planned.</summary>
-        public void SetData(Array data) => buffer?.SetData(data);
+        /// <param name="data">What it gets.</param>
+        /// <param name="first">The first element that it gets.</param>
+        public void SetData(Array data, int first = 0) => buffer?.SetData(data, 0, first, data.Length);
 
         /// <summary>Reads the buffer back, waiting for the GPU.</summary>
         public void GetData(Array data) => buffer.GetData(data);

@@ -51,6 +51,9 @@ namespace SphFluid
         /// <summary>And the place of each particle within its cell.</summary>
         public BufferRange Rank { get; private set; }
 
+        /// <summary>Behind those what <see cref="AwakeGroups"/> lists.</summary>
+        public BufferRange AwakeGroups { get; private set; }
+
         /// <summary>Cells, and one for those that left the domain; 0 where only those with particles are stored.</summary>
         public readonly int CellTotal;
 
@@ -70,7 +73,7 @@ namespace SphFluid
             this.sparse = sparse;
             CellTotal = sparse.AreUsed ? 0 : cellCount + 1;
             SumCount = CellRows.ScanSums(CellTotal);
-            CellTable = AddFor("CellTable", particleCount, 4, particles => RanksBegin(particles) + particles);
+            CellTable = AddFor("CellTable", particleCount, 4, particles => GroupsBegin(particles) + SphFluid.AwakeGroups.Words(particles));
             Divide(particleCount);
         }
 
@@ -85,11 +88,15 @@ namespace SphFluid
         private long RanksBegin(int particleCount) =>
             CountsBegin(particleCount) + (sparse.AreUsed ? sparse.SumCount(particleCount) : CellTotal + SumCount);
 
+        private long GroupsBegin(int particleCount) => RanksBegin(particleCount) + particleCount;
+
         private void Divide(int particleCount)
         {
             CellCount = CellTable.Range("CellCount", CountsBegin(particleCount));
             Rank = CellTable.Range("Rank", RanksBegin(particleCount));
+            AwakeGroups = CellTable.Range("AwakeGroups", GroupsBegin(particleCount));
             CellTable.SetData(new[] { (uint)sparse.Words }); // tells which table it is
+            CellTable.SetData(SphFluid.AwakeGroups.All, AwakeGroups.Begin);
         }
     }
 }

@@ -77,6 +77,9 @@ namespace SphFluid
             return HasSleepers;
         }
 
+        /// <summary>Records the walls of triangles near particles that sleep, where <see cref="MeshWallBuffers.LackSleepers"/>.</summary>
+        public Action<CommandBuffer> GatherAsleep { get; set; }
+
         /// <summary>What triangles need; null where there never were any.</summary>
         public MeshWallBuffers Walls { get; private set; }
 
@@ -145,6 +148,7 @@ namespace SphFluid
             if (List != null) replaced.Add(List);
             if (Walls != null) replaced.Add(Walls);
             (List, Walls, Capacity) = (list, walls, capacity);
+            if (Sleep != null) Sleep.Groups.AreListed = false;
             foreach (IDisposable old in replaced) Retired.Add(old);
         }
 
@@ -161,6 +165,7 @@ namespace SphFluid
             bool isGathered = ListsNeighbours && HasBodies && Walls != null;
             kernel.SetKeyword(cmd, MeshWalls, isGathered);
             if (!isGathered) return;
+            if (Walls.LackSleepers) GatherAsleep(cmd);
             kernel.Set(cmd, List.WallSlot);
             kernel.Set(cmd, Walls.NearWalls);
         }

@@ -27,7 +27,7 @@ namespace SphFluid
                 kernel.SetBuffer(cmd, state.Buffers.PositionTerms.Id, from);
                 kernel.SetFloat(cmd, LongestDisplacement, ContactDistances.LongestDisplacement(state.Settings));
                 kernel.SetOut(cmd, state.Walls.WallGap);
-                kernel.DispatchThreads(cmd, state.ParticleCount);
+                AwakeGroups.Dispatch(cmd, kernel, state);
             }
         }
     }

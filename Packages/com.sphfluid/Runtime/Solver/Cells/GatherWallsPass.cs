@@ -30,6 +30,21 @@ namespace SphFluid
         /// <param name="isAtEnd">Whether the particles, and the walls that they feel, are where the step ends.</param>
         public void Record(CommandBuffer cmd, CellState state, FluidBuffer positions, bool isKept = false, bool isAtEnd = false)
         {
+            state.Walls.LackSleepers = !isKept && AwakeGroups.AreLeftOut(state);
+            Record(cmd, state, positions, isKept, isAtEnd, false);
+        }
+
+        /// <summary>The same for groups of particles that all sleep: no step needs their walls, but drawing does.</summary>
+        /// <param name="cmd">Command buffer.</param>
+        /// <param name="state">Buffers, behind a sort.</param>
+        public void RecordAsleep(CommandBuffer cmd, CellState state)
+        {
+            state.Walls.LackSleepers = false;
+            Record(cmd, state, state.Buffers.Positions, false, false, true);
+        }
+
+        private void Record(CommandBuffer cmd, CellState state, FluidBuffer positions, bool isKept, bool isAtEnd, bool areAsleep)
+        {
             // with time reversed
             Vector3 step = isAtEnd ? new Vector3(state.BodyStep.y, state.BodyStep.x, -state.BodyStep.z) : state.BodyStep;
             using (Sample(cmd))
@@ -38,7 +53,8 @@ namespace SphFluid
                 Bind(cmd, findWalled, state, positions, step, isKept, isAtEnd);
                 CellBindings.SetCells(cmd, findWalled, state);
                 findWalled.SetOut(cmd, state.Walls.Walled);
-                findWalled.DispatchThreads(cmd, state.ParticleCount);
+                if (areAsleep) state.Sleep.Groups.DispatchAsleep(cmd, findWalled, state);
+                else AwakeGroups.Dispatch(cmd, findWalled, state);
                 Bind(cmd, gatherWalls, state, positions, step, isKept, isAtEnd);
                 MeshContact.Set(cmd, gatherWalls, state.Settings);
                 gatherWalls.SetFloat(cmd, TimeStep, step.z);

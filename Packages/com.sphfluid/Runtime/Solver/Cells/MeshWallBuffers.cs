@@ -43,6 +43,9 @@ namespace SphFluid
         /// <summary>Which of the two are those of this time: bytes before them.</summary>
         public uint WalledArguments { get; private set; }
 
+        /// <summary>Whether those of particles that sleep have not been gathered since the sort.</summary>
+        public bool LackSleepers { get; set; }
+
         /// <summary>For the next time.</summary>
         public void BeginGathering() => WalledArguments = ArgumentWords * sizeof(uint) - WalledArguments;
     }

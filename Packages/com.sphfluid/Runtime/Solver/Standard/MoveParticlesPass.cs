@@ -22,7 +22,7 @@ namespace SphFluid
                 MotionBindings.SetWalls(cmd, kernel, state, step);
                 MotionBindings.SetEnd(cmd, kernel, state, step);
                 WallForces.Set(cmd, kernel, state);
-                kernel.DispatchThreads(cmd, state.ParticleCount);
+                AwakeGroups.Dispatch(cmd, kernel, state);
             }
         }
     }

@@ -8,7 +8,6 @@ namespace SphFluid
         private static readonly int DensityFactor = Id("_DensityFactor");
         private static readonly int InverseMoment = Id("_InverseMoment");
         private static readonly int SoundSpeedSquared = Id("_SoundSpeedSquared");
-        private static readonly int SleptStiffness = Id("_SleptStiffness");
         private static readonly int Impact = Id("_Impact");
         private static readonly int SuctionFloor = Id("_SuctionFloor");
         private static readonly int SupportSquared = Id("_SupportSquared");
@@ -32,10 +31,9 @@ namespace SphFluid
                 Bind(cmd, search, state);
                 state.List.SetOut(cmd, search);
                 search.SetFloat(cmd, Ahead, state.ListTime);
-                search.SetFloat(cmd, SleptStiffness, state.Sleep?.Stiffness ?? 0f);
                 search.Set(cmd, state.Buffers.Positions);
                 search.Set(cmd, state.Buffers.Velocities);
-                search.DispatchThreads(cmd, state.ParticleCount);
+                AwakeGroups.Dispatch(cmd, search, state);
             }
         }
 
@@ -52,7 +50,7 @@ namespace SphFluid
                 Bind(cmd, listed, state);
                 state.List.SetOut(cmd, listed);
                 listed.SetBuffer(cmd, Places, places);
-                listed.DispatchThreads(cmd, state.ParticleCount);
+                AwakeGroups.Dispatch(cmd, listed, state);
             }
         }
 

@@ -30,7 +30,7 @@ namespace SphFluid
         {
             density = new StandardDensityPass(shaders);
             moveParticles = new MoveParticlesPass(shaders);
-            state = new StandardState(settings, particleCount);
+            state = new StandardState(settings, particleCount) { GatherAsleep = cmd => GatherWalls.RecordAsleep(cmd, state) };
         }
 
         /// <summary>What the passes work on.</summary>
@@ -92,7 +92,11 @@ namespace SphFluid
             }
 
             if (listed == state.List) density.RecordListed(cmd, state, isKept ? state.Buffers.NewPositions : state.Buffers.Positions);
-            else density.Record(cmd, state);
+            else
+            {
+                if (state.HasSleepers) Sleeping.RecordRest(cmd, state);
+                density.Record(cmd, state);
+            }
             listed = state.List;
         }
 
@@ -111,6 +115,7 @@ namespace SphFluid
 
             lastStep = step.Length;
             if (state.Sleep != null) state.Sleep.SinceSort += step.Length;
+            if (state.HasSleepers) Sleeping.RecordCount(cmd, state, step);
             Order = step.KeepsOrder ? ParticleOrder.Left : ParticleOrder.Counted;
         }
 

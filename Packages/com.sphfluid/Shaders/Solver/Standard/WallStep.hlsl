@@ -158,16 +158,6 @@ float StepDensity(uint id)
 }
 
 // number: the bits of the particle's id, as the w of its velocity.
-void LeaveAt(uint id, float number, Motion motion)
-{
-    _NewVelocitiesOut[id] = float4(motion.Velocity, number);
-#if defined(FLUID_MESH_WALLS)
-    _NewPositionsOut[id] = float4(motion.Position, StepDensity(id)); // contact may still change it, and counts it
-#else
-    CountInCell(id, float4(motion.Position, StepDensity(id)));
-#endif
-}
-
 void EndStep(uint id, float number, float3 position, WallStep step)
 {
     const Motion motion = Leapfrog(position, step.Kicked);
@@ -175,16 +165,21 @@ void EndStep(uint id, float number, float3 position, WallStep step)
     const float3 cut = motion.Velocity - step.Kicked;
     GiveFaces(position, step.FacePush, step.FaceKick + (IsFinite(cut) ? cut : float3(0.0, 0.0, 0.0)));
 #endif
-    LeaveAt(id, number, motion);
+    _NewVelocitiesOut[id] = float4(motion.Velocity, number);
+#if defined(FLUID_MESH_WALLS)
+    _NewPositionsOut[id] = float4(motion.Position, StepDensity(id)); // contact may still change it, and counts it
+#else
+    CountInCell(id, float4(motion.Position, StepDensity(id)));
+#endif
     CountMaximum(COUNTER_MAX_SPEED, length(motion.Velocity));
 }
 
-// The same of a particle that sleeps.
-void StayAt(uint id, float number, float3 position)
+// Of a particle that sleeps, which RestSleepers has left where it is.
+void CountSleeper(uint id, float3 position)
 {
-    Motion motion = (Motion)0;
-    motion.Position = position;
-    LeaveAt(id, number, motion);
+#if !defined(FLUID_MESH_WALLS)
+    CountInCell(id, float4(position, StepDensity(id)));
+#endif
 }
 
 #endif

@@ -26,6 +26,9 @@ namespace SphFluid
         /// <summary>Lower and upper corner of each box [m]; the first w is their number.</summary>
         public readonly FluidBuffer AwakeBoxes;
 
+        /// <summary>Which groups of particles sleep as a whole.</summary>
+        public readonly AwakeGroups Groups;
+
         private readonly Vector4[] corners = new Vector4[2 * MostBoxes];
 
         /// <param name="cells">The cells, with a border that no brick has.</param>
@@ -39,6 +42,7 @@ namespace SphFluid
             Bricks = Add("SleepBricks", (long)Total * Words, sizeof(uint));
             AwakeBoxes = Add("AwakeBoxes", 2 * MostBoxes, 4 * sizeof(float));
             AwakeBoxes.SetData(corners);
+            Groups = new AwakeGroups(Add("SleepArguments", AwakeGroups.ArgumentWords, sizeof(uint), Arguments));
         }
 
         /// <summary>Cells of a brick's side.</summary>

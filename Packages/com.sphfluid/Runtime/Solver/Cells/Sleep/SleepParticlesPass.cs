@@ -23,13 +23,18 @@ namespace SphFluid
         // Units of velocity in the speed of a still brick: the least that is told apart.
         private const float StillUnits = 2f;
 
-        private readonly ComputeKernel wake, mark, judge, spread;
+        private static readonly int SleptStiffness = Id("_SleptStiffness");
+        private static readonly int SuctionFloor = Id("_SuctionFloor");
+
+        private readonly ComputeKernel wake, mark, rest, count, judge, spread;
 
         public SleepParticlesPass(FluidShaderSet shaders)
             : base(shaders, "SleepParticles")
         {
             wake = Kernel("WakeSleepers");
             mark = Kernel("MarkSleepers");
+            rest = Kernel("RestSleepers");
+            count = Kernel("CountSleepers");
             judge = Kernel("JudgeBricks");
             spread = Kernel("SpreadSleep");
         }
@@ -57,7 +62,46 @@ namespace SphFluid
                 CellBindings.SetCells(cmd, wake, state);
                 wake.SetFloat(cmd, SupportSquared, state.Settings.SupportRadius * state.Settings.SupportRadius);
                 wake.SetOut(cmd, state.Buffers.Positions);
+                state.Sleep.Groups.Begin(cmd, wake, state);
                 wake.DispatchThreads(cmd, state.ParticleCount);
+            }
+        }
+
+        /// <summary>What a density pass, and each step from there on, would find of those that sleep.</summary>
+        public void RecordRest(CommandBuffer cmd, CellState state)
+        {
+            FluidSolverSettings settings = state.Settings;
+            using (Sample(cmd))
+            {
+                CellBindings.SetCells(cmd, rest, state);
+                rest.SetFloat(cmd, RestDensity, settings.RestDensity);
+                rest.SetFloat(cmd, SuctionFloor, settings.PressureClamp ? 0f : -settings.RestDensity);
+                rest.SetFloat(cmd, SleptStiffness, state.Sleep.Stiffness);
+                rest.Set(cmd, state.Buffers.Positions);
+                rest.Set(cmd, state.Buffers.Velocities);
+                rest.SetOut(cmd, state.Buffers.PositionTerms);
+                rest.SetOut(cmd, state.Buffers.NewPositions);
+                rest.SetOut(cmd, state.Buffers.NewVelocities);
+                rest.SetOut(cmd, state.List.Counts);
+                rest.SetOut(cmd, state.List.Densities);
+                rest.Set(cmd, state.Published.Counters);
+                rest.DispatchThreads(cmd, state.ParticleCount);
+            }
+        }
+
+        /// <summary>The end of a step of those that its passes went over.</summary>
+        public void RecordCount(CommandBuffer cmd, CellState state, in FluidStep step)
+        {
+            if (!state.Sleep.Groups.AreListed || step.KeepsOrder) return;
+            using (Sample(cmd))
+            {
+                CellBindings.SetCells(cmd, count, state);
+                DomainBindings.SetFaces(cmd, count, state.Settings);
+                CellBindings.SetCounting(cmd, count, state, step);
+                count.Set(cmd, state.Buffers.PositionTerms);
+                count.Set(cmd, state.List.Densities);
+                count.Set(cmd, state.Published.Counters);
+                state.Sleep.Groups.DispatchAsleep(cmd, count, state);
             }
         }
 
@@ -80,6 +124,7 @@ namespace SphFluid
             mark.SetOut(cmd, state.Buffers.Positions);
             mark.SetOut(cmd, state.Buffers.Velocities);
             mark.Set(cmd, state.Buffers.PositionTerms);
+            state.Sleep.Groups.Begin(cmd, mark, state);
             mark.DispatchThreads(cmd, state.ParticleCount);
         }
 
