@@ -58,7 +58,8 @@ namespace SphFluid
             (long colliders, int bodies) = method.Has(FluidMethodFeatures.BodyContact) ? PlanBodies(settings, collision)
                 : (collision.PlannedBytes, 0);
             int slots = LoadedParticles.SlotsFor(method, (int)Math.Min(start.Count, int.MaxValue), spec.FixedSlots);
-            return method.PlannedBytes(settings, slots, bodies > 0) + colliders + FluidPace.PlannedBytes(spec);
+            SleepRule? sleep = SleepingParts.RuleFor(spec, settings);
+            return method.PlannedBytes(settings, slots, bodies > 0, sleep) + colliders + FluidPace.PlannedBytes(spec);
         }
 
         private static (long bytes, int bodies) PlanBodies(in FluidSolverSettings settings, CollisionScene collision)

@@ -104,8 +104,9 @@ namespace SphFluid
         /// <param name="settings">Constants that were checked and prepared.</param>
         /// <param name="particleCount">Number of particles.</param>
         /// <param name="hasBodies">Whether there are triangles in the domain.</param>
+        /// <param name="sleep">When parts of it sleep; null: none do.</param>
         /// <exception cref="FluidDeviceException">The device cannot hold a buffer.</exception>
-        public abstract long PlannedBytes(in FluidSolverSettings settings, int particleCount, bool hasBodies);
+        public abstract long PlannedBytes(in FluidSolverSettings settings, int particleCount, bool hasBodies, SleepRule? sleep = null);
 
         /// <summary>Grows when a change to the method changes what its steps cost: older measurements then count for nothing.</summary>
         public virtual int CostRevision => 1;

@@ -22,6 +22,7 @@ namespace SphFluid.Tests
         private SimulationRig rig;
         private FluidSimulation simulation;
         private Transform stirrer;
+        private Mesh mesh;
 
         [SetUp]
         public void SetUp()
@@ -41,7 +42,11 @@ namespace SphFluid.Tests
         }
 
         [TearDown]
-        public void TearDown() => rig.Dispose();
+        public void TearDown()
+        {
+            rig.Dispose();
+            UnityEngine.Object.DestroyImmediate(mesh);
+        }
 
         [UnityTest]
         public IEnumerator WhatRestsStaysAndWakesWhereSomethingHappens()
@@ -59,8 +64,17 @@ namespace SphFluid.Tests
             Bounds[] asleep = simulation.Solver.State.ReadSleepers().ToArray();
             Assert.That(asleep.Any(b => b.Contains(FarEnd)) && !asleep.Any(b => b.Contains(stirrer.position)), "as gizmos show it");
 
+            FluidQuery within = simulation.Queries.AddPoint(FarEnd);
+            for (int frame = 0; frame < 3; frame++) yield return Frame();
+            simulation.Queries.Complete();
+            Assert.That(simulation.Queries.TryGet(within, out FluidPointResult asked) && asked.IsWet, "what sleeps answers");
+            Assert.That(asked.Density, Is.EqualTo(1000f).Within(50f));
+            Assert.That(asked.Velocity, Is.EqualTo(Vector3.zero));
+            simulation.Queries.Remove(within);
+
             GameObject wader = rig.NewObject("Wader");
-            wader.AddComponent<BoxCollider>().size = 2f * Spacing * Vector3.one;
+            wader.transform.localScale = 2f * Spacing * Vector3.one;
+            wader.AddComponent<MeshCollider>().sharedMesh = mesh = TestMeshes.Cube();
             wader.transform.position = FarEnd + 6f * Spacing * Vector3.up;
             yield return UntilFarEndSleeps();
             foreach ((string what, int frames, Action happens) in Happenings(wader.transform))
@@ -148,8 +162,15 @@ namespace SphFluid.Tests
             ("liquid comes", 20, () =>
                 simulation.AddLiquid(FarEnd + 5f * Spacing * Vector3.up, 2f * Spacing * Vector3.one, Quaternion.identity)),
             ("a collider comes", 4, () => wader.position = FarEnd),
+            ("a collider deforms", 4, StretchUp),
             ("a collider goes", 4, () => wader.gameObject.SetActive(false)),
         };
+
+        private void StretchUp()
+        {
+            mesh.vertices = mesh.vertices.Select(corner => corner.y > 0f ? corner + 0.2f * Vector3.up : corner).ToArray();
+            mesh.RecalculateBounds();
+        }
 
         private double Energy() =>
             SimulationRig.Read(simulation).Average(p => 0.5 * p.VelT0.sqrMagnitude + 9.81 * p.Position.y);

@@ -42,10 +42,11 @@ namespace SphFluid.Tests
             }
         }
 
-        [TestCase(FluidTimeStepMode.Automatic, true, FluidCapacityPolicy.Grow)]
-        [TestCase(FluidTimeStepMode.Fixed, false, FluidCapacityPolicy.Grow)]
-        [TestCase(FluidTimeStepMode.Adaptive, false, FluidCapacityPolicy.Fixed)]
-        public void MemoryFollowsTheSettings(FluidTimeStepMode mode, bool sleeps, FluidCapacityPolicy policy)
+        [TestCase(FluidTimeStepMode.Automatic, true, FluidCapacityPolicy.Grow, false)]
+        [TestCase(FluidTimeStepMode.Automatic, true, FluidCapacityPolicy.Grow, true)]
+        [TestCase(FluidTimeStepMode.Fixed, false, FluidCapacityPolicy.Grow, true)]
+        [TestCase(FluidTimeStepMode.Adaptive, false, FluidCapacityPolicy.Fixed, false)]
+        public void MemoryFollowsTheSettings(FluidTimeStepMode mode, bool sleeps, FluidCapacityPolicy policy, bool inParts)
         {
             foreach (FluidMethodKind method in new[] { FluidMethodKind.Standard, FluidMethodKind.Thesis })
             {
@@ -53,6 +54,7 @@ namespace SphFluid.Tests
                 simulation.Method = method;
                 simulation.TimeStepMode = mode;
                 simulation.SleepsAtRest = sleeps;
+                simulation.PartsSleep = inParts;
                 simulation.CapacityPolicy = policy;
                 simulation.Capacity = 1000;
                 FluidPreview preview = PreviewOf(simulation);

@@ -3,8 +3,9 @@ using System;
 namespace SphFluid
 {
     /// <summary>
-    /// Finds out when a liquid rests. It rests when for longer than it takes to swing once no particle was fast, and none went anywhere:
-    /// a wave at its turning point moves again within the time, and liquid that creeps leaves its place.
+    /// Finds out when a liquid rests. It rests when for longer than it takes to swing once all but a hundredth of its particles were slow,
+    /// and none went anywhere: a wave at its turning point moves again within the time, and liquid that creeps or falls leaves its place.
+    /// What is fast and stays where it is trembles between walls, in creases where it is jammed.
     /// </summary>
     internal sealed class SleepWatch
     {
@@ -85,7 +86,7 @@ namespace SphFluid
         /// <param name="forgetPlaces">Ends the measuring of distances.</param>
         public void AddSample(in SpeedSample sample, double time, Func<int> keepPlaces, Action forgetPlaces)
         {
-            if (!(sample.Present < speedLimit))
+            if (!(sample.Bulk < speedLimit) || float.IsPositiveInfinity(sample.Present))
             {
                 if (kept != 0) forgetPlaces();
                 quiet = 0.0;

@@ -53,7 +53,7 @@ namespace SphFluid
         {
             if (rule is SleepRule given && SleepsInParts)
             {
-                Sleep ??= new SleepBricks(Cells);
+                Sleep ??= new SleepBricks(Cells, IsPlanned);
                 Sleep.Rule = given;
                 return;
             }

@@ -94,7 +94,7 @@ namespace SphFluid
         public override IFluidStepper Start(in FluidSolverSettings settings, FluidShaderSet shaders, int particleCount) =>
             new RobustStepper(settings, shaders, particleCount);
 
-        public override long PlannedBytes(in FluidSolverSettings settings, int particleCount, bool hasBodies)
+        public override long PlannedBytes(in FluidSolverSettings settings, int particleCount, bool hasBodies, SleepRule? sleep = null)
         {
             using (var state = new RobustState(settings, particleCount, true))
             {

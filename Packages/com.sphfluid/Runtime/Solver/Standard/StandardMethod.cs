@@ -100,7 +100,7 @@ namespace SphFluid
         public override IFluidStepper Start(in FluidSolverSettings settings, FluidShaderSet shaders, int particleCount) =>
             new StandardStepper(settings, shaders, particleCount);
 
-        public override long PlannedBytes(in FluidSolverSettings settings, int particleCount, bool hasBodies)
+        public override long PlannedBytes(in FluidSolverSettings settings, int particleCount, bool hasBodies, SleepRule? sleep = null)
         {
             using (var state = new StandardState(settings, particleCount, true))
             {
@@ -108,6 +108,7 @@ namespace SphFluid
                 if (hasBodies) state.RequireWalls();
                 if (state.Own.ImplicitViscosity) state.RequireViscous();
                 foreach (ParticleForce force in StandardForces.Acting(state.Own)) state.RequireForce(force);
+                state.SetSleep(sleep);
                 return state.Bytes;
             }
         }

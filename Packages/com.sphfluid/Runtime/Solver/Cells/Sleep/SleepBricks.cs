@@ -32,7 +32,8 @@ namespace SphFluid
         private readonly Vector4[] corners = new Vector4[2 * MostBoxes];
 
         /// <param name="cells">The cells, with a border that no brick has.</param>
-        public SleepBricks(in CellRows cells)
+        /// <param name="isPlanned">Whether only its size is asked for.</param>
+        public SleepBricks(in CellRows cells, bool isPlanned = false) : base(isPlanned)
         {
             Vector3Int inner = cells.Counts - 2 * Vector3Int.one;
             Side = LeastSide;

@@ -68,11 +68,15 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void OneFastParticleKeepsAllAwake()
+        public void OneThatTremblesKeepsNothingAwakeAndADropDoes()
         {
-            Assert.That(TimeToSleep(Watch(), t => t % 2.0 < Frame ? 0.5f : 0.001f, _ => 0f), Is.NaN);
+            Func<double, float> falls = t => (float)Math.Min(0.5, 0.5 * 9.81 * (t % 2.0) * (t % 2.0)); // a drop every 2 s
+            Assert.That(TimeToSleep(Watch(), _ => 0.001f, _ => 0f, fastest: _ => 0.5f), Is.Not.NaN, "in its place");
+            Assert.That(TimeToSleep(Watch(), _ => 0.001f, _ => 0f, fastest: _ => 0.5f, farthest: falls), Is.NaN);
+            Assert.That(forgotten, Is.Zero);
+            Assert.That(TimeToSleep(Watch(), t => t % 2.0 < Frame ? 0.5f : 0.001f, _ => 0f), Is.NaN, "many at once");
             Assert.That(forgotten, Is.Positive);
-            Assert.That(TimeToSleep(Watch(), _ => float.PositiveInfinity, _ => 0f), Is.NaN);
+            Assert.That(TimeToSleep(Watch(), _ => 0.001f, _ => 0f, fastest: _ => float.PositiveInfinity), Is.NaN, "not a number");
         }
 
         [Test]
@@ -94,10 +98,10 @@ namespace SphFluid.Tests
 
         // Samples are three frames old, as in a running simulation; within a minute.
         private double TimeToSleep(SleepWatch watch, Func<double, float> speed, Func<double, float> distance,
-            Func<double, float> half = null)
+            Func<double, float> half = null, Func<double, float> fastest = null, Func<double, float> farthest = null)
         {
             var samples = new SpeedSample[3];
-            for (int i = 0; i < 3; i++) samples[i].Present = 1f;
+            for (int i = 0; i < 3; i++) samples[i].Bulk = 1f;
             int kept = 0;
             for (int frame = 0; frame < 3600; frame++)
             {
@@ -106,10 +110,11 @@ namespace SphFluid.Tests
                 if (watch.IsAsleep) return time;
                 samples[frame % 3] = new SpeedSample
                 {
-                    Present = speed(time),
+                    Bulk = speed(time),
+                    Present = (fastest ?? speed)(time),
                     HalfDistance = kept != 0 ? (half ?? distance)(time) : 0f,
                     Distance = kept != 0 ? distance(time) : 0f,
-                    Farthest = kept != 0 ? 2f * distance(time) : 0f,
+                    Farthest = kept == 0 ? 0f : farthest?.Invoke(time) ?? 2f * distance(time),
                     Kept = kept,
                 };
             }

@@ -1,3 +1,4 @@
+using System;
 using System.Linq;
 using NUnit.Framework;
 using UnityEngine;
@@ -54,6 +55,38 @@ namespace SphFluid.Tests
                     .Where(g => sleeps.Skip(g * GroupSize).Take(GroupSize).All(s => s) == asleep).Select(g => (uint)g).ToArray();
                 Assert.That(List(begin + 1), Is.EqualTo(Those(false)).And.Not.Empty);
                 Assert.That(List(begin + 2 + groups), Is.EqualTo(Those(true)).And.Not.Empty);
+            }
+        }
+
+        [Test]
+        public void ThoseThatSleepKeepPlaceDensityAndPressure()
+        {
+            using (BodyRig rig = Sleepers(24, false))
+            {
+                bool[] sleeps = Sleeping(rig);
+                FluidParticle[] before = rig.Particles();
+                float[] densities = rig.Densities(), pressures = GpuTest.Read<float>(rig.Solver.Pressure, before.Length);
+                rig.State.Sleep.SinceSort = 0f;
+                rig.Frame(2);
+                FluidParticle[] after = rig.Particles();
+                float[] later = rig.Densities();
+                bool[] sleepStill = Sleeping(rig);
+                FluidSolverSettings settings = rig.Solver.Settings;
+                int same = 0;
+                for (int i = 0; i < before.Length; i++)
+                {
+                    if (!sleeps[i]) continue;
+                    float pressure = settings.SoundSpeed * settings.SoundSpeed * Mathf.Max(densities[i] - settings.RestDensity, 0f);
+                    Assert.That(pressures[i], Is.EqualTo(pressure).Within(1e-3f * pressure + 1e-3f), "Pa");
+                    Assert.That(before[i].VelT0, Is.EqualTo(Vector3.zero));
+                    int now = Array.FindIndex(after, p => p.Id == before[i].Id);
+                    if (!sleepStill[now]) continue;
+                    Assert.That(after[now].Position, Is.EqualTo(before[i].Position));
+                    Assert.That(later[now], Is.EqualTo(densities[i]).Within(1e-4f));
+                    same++;
+                }
+                Assert.That(same, Is.GreaterThan(4 * GroupSize));
+                Assert.That(pressures.Where((_, i) => sleeps[i]).Max(), Is.Positive);
             }
         }
 
