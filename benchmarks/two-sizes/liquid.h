@@ -96,7 +96,7 @@ public:
     // set by a case
     PairKernel kernel = PairKernel::Mean;
     int arity = 8;                 // parts of a split: 8 for spacings 1 and 2, 2 for spacings 1, 1.26, 1.59 and 2
-    bool nested = false;           // particles of different levels do not see each other: design 2
+    bool nested = false;           // particles of different levels do not see each other
     Vec period{0, 0, 0};           // 0: not periodic
     vector<Wall> walls;
     double c = 10, gravity = 1, viscosityRatio = .001, damping = 0;
@@ -233,7 +233,7 @@ public:
         return 1 - rest;
     }
 
-    void Density(bool addOffset = true) {
+    void Density() {
         if (!stale) {
             double gone = 0;
             for (int i = 0; i < Count(); i++) { Vec d = Separation(x[i], places[i]); gone = std::max(gone, Dot(d, d)); }
@@ -267,7 +267,7 @@ public:
             rho[i] += m[j] * toI;
             rho[j] += m[i] * toJ;
         }
-        for (int i = 0; i < Count(); i++) rho[i] = 1 + (rho[i] - 1) / TheLattice.moment + (addOffset ? offset[i] : 0);
+        for (int i = 0; i < Count(); i++) rho[i] = 1 + (rho[i] - 1) / TheLattice.moment + offset[i];
     }
 
     void Forces() {
@@ -482,14 +482,14 @@ public:
     }
 
     void Split(int i) {
-        int l = level[i] - 1, kids = arity;
+        int l = level[i] - 1;
         Group g{i, 0, {}, true};
         double half = (arity == 8 ? .5 : .63) * Spacing(l), floorRoom = 1e9;
         for (auto& w : walls) floorRoom = std::min(floorRoom, Dot(w.normal, x[i]) - w.offset);
         half = std::min(half, std::max(.1, floorRoom - .3 * Spacing(l)));
         int axis = int(splits % 3);
         group[i] = 1;
-        for (int k = 0; k < kids; k++) {
+        for (int k = 0; k < arity; k++) {
             Vec d = arity == 8 ? Vec{k & 1 ? half : -half, k & 2 ? half : -half, k & 4 ? half : -half}
                                : (k ? half : -half) * Vec{axis == 0 ? 1. : 0, axis == 1 ? 1. : 0, axis == 2 ? 1. : 0};
             int child = Add(x[i] + d, v[i], l);
