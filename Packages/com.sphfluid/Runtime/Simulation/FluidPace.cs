@@ -33,7 +33,8 @@ namespace SphFluid
         private readonly Func<int> keepPlaces;
         private readonly Action forgetPlaces;
         private readonly Func<double, double> stepAt; // by the speed that the constants are made for
-        private FluidSpec spec;
+        private readonly StepDetail detail = new StepDetail();
+        private FluidSpec spec; // its rules coarser by the level of detail
         private SpeedReadback speeds;
         private AdaptiveClock adaptive;
         private SpeedReference reference;
@@ -90,13 +91,35 @@ namespace SphFluid
         /// Takes over changed settings and gives the solver its constants. A clock that still fits goes on with the rest it holds.
         /// </summary>
         /// <exception cref="ArgumentException">A constant is out of range.</exception>
-        public void Update(in FluidSpec now)
+        public void Update(in FluidSpec given)
         {
+            FluidSpec now = detail.AppliedTo(given);
             FluidSolverSettings rule = FluidConstants.Derive(now, start, start.Gravity);
             yields = false;
             TakeLimits(now, rule);
             solver.ApplySettings(reference == null ? rule : AtReference());
             TakeClock();
+        }
+
+        /// <summary>How many times longer steps are than as set up, by the level of detail.</summary>
+        public double Coarseness => detail.Factor;
+
+        /// <summary>Goes towards the level of detail by a frame; nothing wakes.</summary>
+        /// <param name="given">The simulation as it is now.</param>
+        /// <param name="time">Length of the frame [s].</param>
+        public void Follow(in FluidSpec given, double time)
+        {
+            double asked = given.Detail.StepFactor;
+            if (yields || (asked == 1.0 && detail.Factor == 1.0)) return;
+            if (detail.Update(StepDetail.Reached(given, start, asked), time)) TakeDetail(given);
+            (Clock as FrameClock)?.Soften(detail.Factor * time / given.Profile.Rules.Substeps);
+        }
+
+        /// <summary>Takes over what a save had for <see cref="Coarseness"/>.</summary>
+        public void Continue(in FluidSpec given, double coarseness)
+        {
+            detail.Factor = coarseness;
+            TakeDetail(given);
         }
 
         /// <summary>Something touched the liquid: it takes steps again.</summary>
@@ -255,6 +278,14 @@ namespace SphFluid
             else DropSpeeds();
         }
 
+        // When liquid rests does not depend on it.
+        private void TakeDetail(in FluidSpec given)
+        {
+            spec = detail.AppliedTo(given);
+            solver.ApplySettings(reference == null ? FluidConstants.Derive(spec, start, start.Gravity) : AtReference());
+            TakeClock();
+        }
+
         private void TakeClock()
         {
             double step = solver.Settings.TimeStep;
@@ -263,12 +294,17 @@ namespace SphFluid
             {
                 adaptive = null;
                 IStepClock made = FluidMethods.Get(spec.Method).MakeClock(solver.Settings, most);
-                if (!(Clock is FrameClock frames) || !frames.IsLike(made as FrameClock)) Clock = made;
+                var frames = Clock as FrameClock;
+                if (frames != null && frames.IsLike(made as FrameClock)) return;
+                if (frames != null) ((FrameClock)made).LongestOfLate = frames.LongestOfLate;
+                Clock = made;
             }
             else if (!IsAdaptive)
             {
                 adaptive = null;
-                if (!(Clock is StepClock clock) || clock.TimeStep != step || clock.MaxSteps != most) Clock = new StepClock(step, most);
+                var clock = Clock as StepClock;
+                if (clock != null && clock.TimeStep == step && clock.MaxSteps == most) return;
+                Clock = new StepClock(step, most) { Pending = clock?.Pending ?? 0.0 };
             }
             else if (adaptive == null || adaptive.MaxSteps != most)
             {

@@ -41,6 +41,20 @@ namespace SphFluid
 
         public override double CellCount(in FluidSolverSettings settings) => FluidGrid.CountFor(settings, CellRows.Border);
 
+        public override double CoarsestFactor(in FluidRuleInput input, double asked) =>
+            input.Substeps / (double)RobustRules.FewestSubsteps(input, asked);
+
+        public override FluidRuleInput Coarsen(FluidRuleInput rules, double factor)
+        {
+            rules.Substeps = RobustRules.CoarserSubsteps(rules.Substeps, factor);
+            return rules;
+        }
+
+        public override string CoarsestReason(double reached) => FormattableString.Invariant(
+            $"; {reached:0.##} times is what pays: fewer of its Substeps need more iterations each.");
+
+        public override string CoarsestCure => "Lower Step Factor, or raise Substeps of the profile.";
+
         public override IStepClock MakeClock(in FluidSolverSettings settings, int maxSteps)
         {
             int substeps = settings.Own<RobustSettings>().Substeps;
