@@ -53,7 +53,6 @@ namespace SphFluid
         [OutlivesPlay("it is filled anew, and used at once, by whoever asks")] private static Camera[] found = new Camera[4];
 
         private FluidSimulation simulation;
-        private (string text, string cure)? problem;
         private float seenFrom;
         private int without;
 
@@ -115,41 +114,36 @@ namespace SphFluid
         public string Describe()
         {
             string level = CurrentLevel == 0 ? "all detail" : $"detail {CurrentLevel} of {levels.Count}";
-            if (problem != null) return level + ": its levels cannot be used";
+            if (Problem != null) return level + ": its levels cannot be used";
             if (NearestCamera == null) return level + ": no camera";
             bool same = Mathf.Abs(seenFrom - Distance) <= 0.01f * Distance;
             return FormattableString.Invariant($"{level}: {Distance:0.#} m from {NearestCamera.name}") +
                 (same ? "" : FormattableString.Invariant($", as large as at {seenFrom:0.#} m"));
         }
 
-        private void Start()
-        {
-            if (Simulation.Domain != FluidDomain.Open || size != Vector3.zero) return;
-            Report(FluidSeverity.Info, FluidIssue.DetailInvalid, "The domain is open and Size is zero, so distances count to the box of its " +
-                "Farthest Distance", "Give Size the edge lengths of the box where the liquid stays.");
-        }
-
         private void OnDisable() => Take(0);
 
         private void LateUpdate()
         {
-            TakeProblem();
-            if (problem != null) Take(0);
-            else if (TryMeasure()) Take(DetailRule.LevelFor(levels, seenFrom / Reach, CurrentLevel));
-            else if (without == Patience) Take(0);
-            if (CurrentLevel == 0 || !Simulation.IsWatched || !new FluidDetail(this, levels, CurrentLevel).Slows) return;
-            Report(FluidSeverity.Info, FluidIssue.DetailLimited,
-                "The liquid is recorded or replayed: meanwhile its level of detail changes only how it is drawn", "");
-        }
-
-        private void TakeProblem()
-        {
-            (string text, string cure)? now = Problem;
-            if (now.Equals(problem)) return;
-            problem = now;
-            if (now is (string text, string cure))
+            if (!Simulation.IsRunning) return;
+            if (Problem is (string text, string cure))
             {
-                Report(FluidSeverity.Warning, FluidIssue.DetailInvalid, text + ", so the liquid has all its detail", cure);
+                Report(FluidSeverity.Warning, FluidIssue.DetailInvalid, text + ", so the liquid has all its detail.", cure);
+                Take(0);
+                return;
+            }
+            if (TryMeasure()) Take(DetailRule.LevelFor(levels, seenFrom / Reach, CurrentLevel));
+            else if (without == Patience) Take(0);
+            if (Simulation.IsWatched && ((IFluidDetailSource)this).Detail.Slows)
+            {
+                Report(FluidSeverity.Info, FluidIssue.DetailLimited,
+                    "The liquid is recorded or replayed: meanwhile its level of detail changes only how it is drawn.", "");
+            }
+            if (Simulation.Domain == FluidDomain.Open && size == Vector3.zero)
+            {
+                Report(FluidSeverity.Info, FluidIssue.DetailInvalid,
+                    "The domain is open and Size is zero, so distances count to the box of its Farthest Distance.",
+                    "Give Size the edge lengths of the box where the liquid stays.");
             }
         }
 
@@ -168,12 +162,13 @@ namespace SphFluid
             foreach (Camera camera in cameras)
                 if (camera != null && camera.gameObject.activeInHierarchy) Compare(camera, pose, ref nearest, ref least);
             NearestCamera = nearest;
-            without = nearest != null ? 0 : Math.Min(without + 1, Patience + 1);
+            without = nearest != null ? 0 : Math.Min(without + 1, Patience);
             if (without == Patience)
             {
-                Report(FluidSeverity.Warning, FluidIssue.DetailInvalid, cameras.Count > 0 ? "No camera of Cameras is active, so the liquid has "
-                    + "all its detail" : $"No camera draws the layer of '{name}', so the liquid has all its detail",
-                    "Enable a camera whose Culling Mask has the layer of this object, or name one in Cameras.");
+                Report(FluidSeverity.Warning, FluidIssue.DetailInvalid, cameras.Count > 0
+                    ? "No camera of Cameras is active, so the liquid has all its detail."
+                    : "No enabled camera draws the layer of this object, so the liquid has all its detail.",
+                    "Enable a camera whose Culling Mask has the layer, or name one in Cameras.");
             }
             if (nearest == null) return false;
             (seenFrom, Distance) = (least, DetailRule.ToBox(pose, BoxSize, nearest.transform.position));
@@ -194,6 +189,6 @@ namespace SphFluid
         }
 
         private void Report(FluidSeverity severity, FluidIssue issue, string text, string cure) =>
-            Simulation.Report(new FluidMessage(severity, issue, this, text + ".", cure));
+            Simulation.Report(new FluidMessage(severity, issue, this, text, cure));
     }
 }

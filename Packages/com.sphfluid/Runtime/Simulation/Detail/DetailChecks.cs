@@ -40,9 +40,10 @@ namespace SphFluid
             }
             double reached = StepDetail.Reached(spec, start, level.StepFactor);
             if (level.StepFactor > Slack * reached) return Limited(spec, asks + method.CoarsestReason(reached), method.CoarsestCure);
+            if (method.Has(FluidMethodFeatures.StepsByFrame)) return null;
             (double full, _) = StepOf(spec, start);
             (double coarse, TimeStepLimit limit) = StepOf(new StepDetail { Factor = reached }.AppliedTo(spec), start);
-            return !(coarse / full < 1.0 + LeastGain * (level.StepFactor - 1.0)) ? (FluidMessage?)null // infinite where frames set it
+            return !(coarse / full < 1.0 + LeastGain * (level.StepFactor - 1.0)) ? (FluidMessage?)null
                 : Limited(spec, FormattableString.Invariant($"{asks}; the {TimeStepAdvice.NameOf(limit)} allows {coarse / full:0.##} times."),
                     "Lower Step Factor: it makes the liquid softer for little.");
         }

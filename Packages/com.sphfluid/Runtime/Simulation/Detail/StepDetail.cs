@@ -9,7 +9,7 @@ namespace SphFluid
     internal sealed class StepDetail
     {
         // s, in which the factor changes by e.
-        private const double Time = 1.0;
+        private const double Time = 2.0;
 
         // s: a single long frame counts for no more.
         private const double LongestFrame = 0.1;

@@ -71,7 +71,9 @@ namespace SphFluid
             int best = input.Substeps, least = CoarserSubsteps(input.Substeps, asked);
             FluidSolverSettings settings = Derive(input);
             int Iterations(int substeps) => substeps * IterationsFor(settings, NominalFrame / substeps, settings.MaxSpeed);
-            for (int substeps = best - 1; substeps >= least; substeps--)
+            double weight = CarryingRatio * settings.Own<RobustSettings>().DepthSpeed;
+            double longest = weight > 0.0 ? IterationSpeed(settings, 1.0, MostForWeight) / weight : NominalFrame;
+            for (int substeps = best - 1; substeps >= least && NominalFrame / substeps <= longest; substeps--)
                 if (Iterations(substeps) < Iterations(best)) best = substeps;
             return best;
         }
