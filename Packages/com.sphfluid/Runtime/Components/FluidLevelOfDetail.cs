@@ -125,7 +125,6 @@ namespace SphFluid
 
         private void LateUpdate()
         {
-            if (!Simulation.IsRunning) return;
             if (Problem is (string text, string cure))
             {
                 Report(FluidSeverity.Warning, FluidIssue.DetailInvalid, text + ", so the liquid has all its detail.", cure);

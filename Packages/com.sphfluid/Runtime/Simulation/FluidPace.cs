@@ -51,12 +51,15 @@ namespace SphFluid
             keepPlaces = () => speeds.KeepPlaces();
             forgetPlaces = () => speeds.ForgetPlaces();
             stepAt = speed => LongestStep(FluidConstants.Derive(this.spec, this.start, this.start.Gravity, speed), gainInFrame);
-            TakeLimits(spec, solver.Settings);
+            // No pressure has built up yet.
+            if (spec.StartRelaxation == FluidStartRelaxation.None) detail.Factor = StepDetail.Reached(spec, start, spec.Detail.StepFactor);
+            TakeLimits(detail.AppliedTo(spec), solver.Settings);
             if (reference != null && spec.IsOpen)
             {
                 reference.Begin(FluidConstants.FastestSource(spec, start.InitialSpeed) + FallAhead * spec.Gravity.magnitude);
                 solver.ApplySettings(AtReference());
             }
+            else if (detail.Factor != 1.0) solver.ApplySettings(Constants());
             TakeClock();
         }
 
@@ -282,7 +285,7 @@ namespace SphFluid
         private void TakeDetail(in FluidSpec given)
         {
             spec = detail.AppliedTo(given);
-            solver.ApplySettings(reference == null ? FluidConstants.Derive(spec, start, start.Gravity) : AtReference());
+            solver.ApplySettings(Constants());
             TakeClock();
         }
 
@@ -340,6 +343,8 @@ namespace SphFluid
 
         // Without a speed that follows the liquid only colliders raise the constants.
         private static bool Hears(in FluidSpec spec) => Follows(spec) || StepsByFrame(spec);
+
+        private FluidSolverSettings Constants() => reference == null ? FluidConstants.Derive(spec, start, start.Gravity) : AtReference();
 
         private FluidSolverSettings AtReference() => Follows(spec)
             ? FluidConstants.Derive(spec, start, start.Gravity, reference.Speed)

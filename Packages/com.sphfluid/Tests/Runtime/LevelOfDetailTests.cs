@@ -161,7 +161,7 @@ namespace SphFluid.Tests
             Assert.That(simulation.Messages.Where(m => m.Issue == FluidIssue.DetailLimited), Is.Empty);
             detail.Levels[1].StepFactor = 3f;
             Far(30f);
-            yield return null;
+            yield return Frames(3);
             Assert.That(Limited(), Does.Contain("allow 2 times"), "of a level that came while it runs");
         }
 

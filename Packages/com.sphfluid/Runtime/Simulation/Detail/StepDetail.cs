@@ -40,7 +40,7 @@ namespace SphFluid
         /// <param name="start">Where its liquid started.</param>
         /// <param name="asked">The factor, 1 or more.</param>
         public static double Reached(in FluidSpec spec, FluidStart start, double asked) =>
-            asked <= 1.0 || spec.TimeStepMode == FluidTimeStepMode.Fixed ? 1.0
+            asked <= 1.0 || spec.TimeStepMode == FluidTimeStepMode.Fixed || spec.Playback != null ? 1.0
                 : FluidMethods.Get(spec.Method).CoarsestFactor(FluidConstants.Input(spec, start, start.Gravity), asked);
     }
 }
