@@ -39,7 +39,8 @@ namespace SphFluid
         [SerializeField, Tooltip("LOD Bias of the quality settings multiplies the distances as well, as those of a LOD Group.")]
         private bool useLodBias = true;
 
-        [SerializeField, Tooltip("Cameras that count, while their objects are active. Empty: all enabled ones that draw this object's layer.")]
+        [SerializeField,
+            Tooltip("Cameras that count, while their objects are active. Empty: all enabled ones that draw this object's layer.")]
         private List<Camera> cameras = new List<Camera>();
 
         [SerializeField, Unit("m"),

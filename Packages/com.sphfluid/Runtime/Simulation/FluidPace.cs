@@ -41,6 +41,7 @@ namespace SphFluid
         private SleepWatch sleep;
         private bool yields;
         private double gainInFrame;
+        private double asked = double.NaN, coarsest = 1.0; // of the level of detail, and what its steps reach
 
         /// <summary>The pace of a solver with its first settings.</summary>
         /// <exception cref="FluidDeviceException">A shader is missing, or the device cannot run it.</exception>
@@ -96,6 +97,7 @@ namespace SphFluid
         /// <exception cref="ArgumentException">A constant is out of range.</exception>
         public void Update(in FluidSpec given)
         {
+            asked = double.NaN;
             FluidSpec now = detail.AppliedTo(given);
             FluidSolverSettings rule = FluidConstants.Derive(now, start, start.Gravity);
             yields = false;
@@ -112,9 +114,10 @@ namespace SphFluid
         /// <param name="time">Length of the frame [s].</param>
         public void Follow(in FluidSpec given, double time)
         {
-            double asked = given.Detail.StepFactor;
-            if (yields || (asked == 1.0 && detail.Factor == 1.0)) return;
-            if (detail.Update(StepDetail.Reached(given, start, asked), time)) TakeDetail(given);
+            if (given.Detail.StepFactor != asked) (asked, coarsest) = (given.Detail.StepFactor,
+                StepDetail.Reached(given, start, given.Detail.StepFactor));
+            if (yields || (coarsest == 1.0 && detail.Factor == 1.0)) return;
+            if (detail.Update(coarsest, time)) TakeDetail(given);
             (Clock as FrameClock)?.Soften(detail.Factor * time / given.Profile.Rules.Substeps);
         }
 

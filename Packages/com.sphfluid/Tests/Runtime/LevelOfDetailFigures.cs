@@ -27,17 +27,22 @@ namespace SphFluid.Tests
                 string row = FormattableString.Invariant($"| {method} | {factor} |");
                 double most = 0.0, mean = 0.0, front = 0.0;
                 long steps = 0;
-                for (int frame = 0; frame <= 60 * SecondsShown; frame++)
+                while (!dam.IsRunning) yield return null;
+                for (int frame = 1; frame <= 60 * SecondsShown; frame++)
                 {
                     yield return null;
-                    if (frame == 22) front = Sorted(SimulationRig.Read(dam).Select(p => p.Position.x + 0.2f))[(int)(0.99 * dam.ParticleCount)];
+                    if (frame == 22)
+                    {
+                        float[] places = Sorted(SimulationRig.Read(dam).Select(p => p.Position.x + 0.2f));
+                        front = places[(int)(0.99 * places.Length)];
+                    }
                     if (frame % 6 == 0)
                     {
                         float[] pressed = Compressions(dam);
                         most = Math.Max(most, pressed[(int)(0.99 * pressed.Length)]);
                         mean = pressed.Average();
                     }
-                    if (frame % 60 != 0 || frame == 0) continue;
+                    if (frame % 60 != 0) continue;
                     if (frame == 60 || frame == 60 * SecondsShown)
                     {
                         row += FormattableString.Invariant($" {(dam.StepCount - steps) / 60.0:0.0} | {dam.StepMilliseconds:0} ms |");
@@ -55,7 +60,7 @@ namespace SphFluid.Tests
         {
             using (var rig = new SimulationRig(1f / 60f))
             {
-                FluidSimulation dam = Dam(rig, new FluidDetailLevel { Distance = 1f, CellFactor = factor, StepFactor = Math.Min(factor, 2f) });
+                FluidSimulation dam = Dam(rig, new FluidDetailLevel { Distance = 1f, CellFactor = factor });
                 var view = dam.gameObject.AddComponent<FluidSurfaceRenderer>();
                 GameObject lamp = rig.NewObject("Light");
                 lamp.AddComponent<Light>().type = LightType.Directional;
@@ -75,8 +80,8 @@ namespace SphFluid.Tests
                         meter.Update(dam, 0.01, 10.0, true);
                     }
                     meter.Update(dam, 10.0, 1.0, true);
-                    Console.WriteLine(FormattableString.Invariant($"cells {factor}: {view.Status.Triangles} triangles, {view.GpuBytes} bytes\n") +
-                        meter.Text);
+                    string row = FormattableString.Invariant($"cells {factor}: {view.Status.Triangles} triangles, {view.GpuBytes} bytes");
+                    Console.WriteLine($"{row}\n{meter.Text}");
                 }
                 var picture = new Texture2D(640, 360, TextureFormat.RGBA32, false);
                 RenderTexture.active = target;

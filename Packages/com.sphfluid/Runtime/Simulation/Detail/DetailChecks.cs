@@ -44,7 +44,8 @@ namespace SphFluid
             (double full, _) = StepOf(spec, start);
             (double coarse, TimeStepLimit limit) = StepOf(new StepDetail { Factor = reached }.AppliedTo(spec), start);
             return !(coarse / full < 1.0 + LeastGain * (level.StepFactor - 1.0)) ? (FluidMessage?)null
-                : Limited(spec, FormattableString.Invariant($"{asks}; the {TimeStepAdvice.NameOf(limit)} allows {coarse / full:0.##} times."),
+                : Limited(spec,
+                    FormattableString.Invariant($"{asks}; the {TimeStepAdvice.NameOf(limit)} allows {coarse / full:0.##} times."),
                     "Lower Step Factor: it makes the liquid softer for little.");
         }
 

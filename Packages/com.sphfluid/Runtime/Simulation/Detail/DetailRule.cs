@@ -14,8 +14,8 @@ namespace SphFluid
         private const double UsualView = 60.0;
 
         /// <summary>
-        /// Distance at which a camera of 60° sees things as large as a camera does; as LODGroup has it. Worked example: at 5° a liquid 130 m
-        /// away looks as at 10 m.
+        /// Distance at which a camera of 60° sees things as large as a camera does; as LODGroup has it. Worked example: at 5° a liquid
+        /// 130 m away looks as at 10 m.
         /// </summary>
         /// <param name="camera">The camera.</param>
         /// <param name="distance">Its distance [m].</param>

@@ -82,8 +82,8 @@ namespace SphFluid.Tests
                 ("Cell Factor", Level(cell: float.PositiveInfinity), 1f, Vector3.zero),
             })
             {
-                (string text, string cure)? found = DetailRule.Problem(new List<FluidDetailLevel> { Level(distance: 10f), second }, importance,
-                    box);
+                var levels = new List<FluidDetailLevel> { Level(distance: 10f), second };
+                (string text, string cure)? found = DetailRule.Problem(levels, importance, box);
                 Assert.That(found, Is.Not.Null, named);
                 Assert.That(found.Value.text + found.Value.cure, Does.Contain(named));
             }
