@@ -99,6 +99,8 @@ namespace SphFluid
         /// <summary>What is wrong with the fields; null: nothing.</summary>
         internal (string text, string cure)? Problem => DetailRule.Problem(levels, importance, size);
 
+        bool IFluidDetailSource.IsOn => isActiveAndEnabled;
+
         FluidDetail IFluidDetailSource.Detail =>
             isActiveAndEnabled ? new FluidDetail(this, levels, Math.Min(CurrentLevel, levels.Count)) : default;
 

@@ -114,8 +114,8 @@ namespace SphFluid
         /// <param name="time">Length of the frame [s].</param>
         public void Follow(in FluidSpec given, double time)
         {
-            if (given.Detail.StepFactor != asked) (asked, coarsest) = (given.Detail.StepFactor,
-                StepDetail.Reached(given, start, given.Detail.StepFactor));
+            double wanted = given.Detail.StepFactor;
+            if (wanted != asked) (asked, coarsest) = (wanted, StepDetail.Reached(given, start, wanted));
             if (yields || (coarsest == 1.0 && detail.Factor == 1.0)) return;
             if (detail.Update(coarsest, time)) TakeDetail(given);
             (Clock as FrameClock)?.Soften(detail.Factor * time / given.Profile.Rules.Substeps);

@@ -88,8 +88,9 @@ namespace SphFluid
         /// <summary>Rules for steps that are so many times longer, 1 to <see cref="CoarsestFactor"/>.</summary>
         public virtual FluidRuleInput Coarsen(FluidRuleInput rules, double factor) => rules;
 
-        /// <summary>Why steps are not longer than by a factor, the end of a sentence.</summary>
-        public virtual string CoarsestReason(double reached) => $", and the method {Kind} takes them as they are.";
+        /// <summary>Why steps are not as long as asked for, the end of a sentence; null: they are.</summary>
+        public virtual string CoarsestReason(in FluidRuleInput input, double asked, double reached) =>
+            asked > reached ? $", and the method {Kind} takes them as they are." : null;
 
         /// <summary>And the cure.</summary>
         public virtual string CoarsestCure => "Use the method Standard or Robust, or set Step Factor to 1.";

@@ -23,7 +23,6 @@ namespace SphFluid.Tests
             {
                 FluidSimulation dam = Dam(rig, new FluidDetailLevel { Distance = 1f, StepFactor = factor });
                 dam.Method = method;
-                dam.BeginTiming();
                 string row = FormattableString.Invariant($"| {method} | {factor} |");
                 double most = 0.0, mean = 0.0, front = 0.0;
                 long steps = 0;
@@ -45,13 +44,12 @@ namespace SphFluid.Tests
                     if (frame % 60 != 0) continue;
                     if (frame == 60 || frame == 60 * SecondsShown)
                     {
-                        row += FormattableString.Invariant($" {(dam.StepCount - steps) / 60.0:0.0} | {dam.StepMilliseconds:0} ms |");
+                        row += FormattableString.Invariant($" {(dam.StepCount - steps) / 60.0:0.0} |");
                     }
                     steps = dam.StepCount;
                 }
                 row += FormattableString.Invariant($" {100.0 * most:0.0} % | {100.0 * mean:0.0} % | {front:0.000} m | ");
                 Console.WriteLine(row + FormattableString.Invariant($"{1e3 * (SimulationRig.MeanHeight(dam) + 0.3):0.0} mm |"));
-                dam.EndTiming();
             }
         }
 

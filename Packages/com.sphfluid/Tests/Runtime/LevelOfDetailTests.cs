@@ -107,6 +107,8 @@ namespace SphFluid.Tests
             Assert.That((without, detail.CurrentLevel), Is.EqualTo((1, 0)), "LOD Bias");
             detail.enabled = false;
             Assert.That(detail.CurrentLevel, Is.Zero);
+            yield return Frames(20);
+            Assert.That(overlay.Text, Does.Contain("particles").And.Not.Contain("detail"));
         }
 
         [UnityTest]

@@ -6,9 +6,6 @@ namespace SphFluid
     /// <summary>Says what of a level of detail a simulation cannot do.</summary>
     internal static class DetailChecks
     {
-        // Of a factor: less is not missed.
-        private const double Slack = 1.02;
-
         // Of what longer steps gain: fast liquid takes some of it, as its speed sets the step too.
         private const double LeastGain = 0.4;
 
@@ -39,7 +36,11 @@ namespace SphFluid
                     "Set Time Step Mode to Automatic, or Step Factor to 1.");
             }
             double reached = StepDetail.Reached(spec, start, level.StepFactor);
-            if (level.StepFactor > Slack * reached) return Limited(spec, asks + method.CoarsestReason(reached), method.CoarsestCure);
+            FluidRuleInput input = FluidConstants.Input(spec, start, start.Gravity);
+            if (method.CoarsestReason(input, level.StepFactor, reached) is string reason)
+            {
+                return Limited(spec, asks + reason, method.CoarsestCure);
+            }
             if (method.Has(FluidMethodFeatures.StepsByFrame)) return null;
             (double full, _) = StepOf(spec, start);
             (double coarse, TimeStepLimit limit) = StepOf(new StepDetail { Factor = reached }.AppliedTo(spec), start);

@@ -50,8 +50,12 @@ namespace SphFluid
             return rules;
         }
 
-        public override string CoarsestReason(double reached) => FormattableString.Invariant(
-            $"; {reached:0.##} times is what pays: fewer of its Substeps need more iterations each.");
+        public override string CoarsestReason(in FluidRuleInput input, double asked, double reached)
+        {
+            int fewest = RobustRules.CoarserSubsteps(input.Substeps, reached);
+            return fewest == RobustRules.CoarserSubsteps(input.Substeps, asked) ? null
+                : $"; of its Substeps {fewest} are the fewest that keep the liquid's shape and take less work.";
+        }
 
         public override string CoarsestCure => "Lower Step Factor, or raise Substeps of the profile.";
 

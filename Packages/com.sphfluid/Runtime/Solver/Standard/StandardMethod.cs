@@ -51,7 +51,8 @@ namespace SphFluid
             return rules;
         }
 
-        public override string CoarsestReason(double reached) => StandardRules.CoarsestReason(reached);
+        public override string CoarsestReason(in FluidRuleInput input, double asked, double reached) =>
+            StandardRules.CoarsestReason(asked, reached);
 
         public override string CoarsestCure => "Lower Step Factor, or raise Sound Speed Ratio and lower Max Compression of the profile.";
 

@@ -54,8 +54,8 @@ namespace SphFluid
         public static double CoarsestFactor(in FluidRuleInput input, double asked) => Math.Max(1.0, Math.Min(asked,
             Math.Min(input.SoundSpeedRatio / LeastRatio, Math.Sqrt(MostCompression / input.MaxCompression))));
 
-        /// <summary>Why it is not lower, the end of a sentence.</summary>
-        public static string CoarsestReason(double reached) => FormattableString.Invariant(
+        /// <summary>Why it is not lower, the end of a sentence; null: it is as low as asked.</summary>
+        public static string CoarsestReason(double asked, double reached) => asked <= 1.01 * reached ? null : FormattableString.Invariant(
             $"; a Sound Speed Ratio of {LeastRatio} and a Max Compression of {MostCompression}, the softest, allow {reached:0.##} times.");
 
         /// <summary>Advice for a running liquid.</summary>

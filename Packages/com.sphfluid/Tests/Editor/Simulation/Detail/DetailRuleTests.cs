@@ -128,7 +128,8 @@ namespace SphFluid.Tests
         [TestCase(4, 0.1f, 1.9, 3)]
         [TestCase(4, 0.1f, 100.0, 2)]
         [TestCase(1, 0.1f, 2.0, 1)]
-        [TestCase(8, 3f, 1.15, 7)]
+        [TestCase(8, 2f, 1.15, 7)]
+        [TestCase(8, 2f, 2.0, 7, TestName = "with 6 substeps it would be pressed too much where it hits")]
         [TestCase(8, 30f, 2.0, 8, TestName = "weight asks for more iterations than fewer substeps save")]
         public void RobustTakesFewerSubstepsWhereThatPays(int substeps, float depth, double asked, int expected)
         {
@@ -138,6 +139,8 @@ namespace SphFluid.Tests
             double factor = method.CoarsestFactor(input, asked);
             Assert.That(method.Coarsen(input, factor).Substeps, Is.EqualTo(expected));
             Assert.That(method.Coarsen(input, Math.Sqrt(factor)).Substeps, Is.InRange(expected, substeps), "on the way");
+            bool asAsked = expected == (int)Math.Ceiling(substeps / asked);
+            Assert.That(method.CoarsestReason(input, asked, factor), asAsked ? Is.Null : Does.Contain($" {expected} are the fewest"));
         }
 
         [Test]
@@ -147,7 +150,7 @@ namespace SphFluid.Tests
             {
                 FluidRuleInput input = Input(method.Kind);
                 Assert.That(method.CoarsestFactor(input, 2.0), Is.EqualTo(1.0));
-                Assert.That(method.CoarsestReason(1.0), Does.Contain(method.Kind.ToString()));
+                Assert.That(method.CoarsestReason(input, 2.0, 1.0), Does.Contain(method.Kind.ToString()));
             }
         }
 
