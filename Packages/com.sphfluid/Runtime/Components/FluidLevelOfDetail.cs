@@ -44,8 +44,8 @@ namespace SphFluid
         private List<Camera> cameras = new List<Camera>();
 
         [SerializeField, Unit("m"),
-            Tooltip("Edge lengths of the box about this object that distances count to, in metres; 0 inside. Zeros: the domain, of an open " +
-            "domain as far as its liquid may go.")]
+            Tooltip("Edge lengths of the box about this object that distances count to, in metres; 0 inside. Zeros: the domain, of an " +
+            "open domain as far as its liquid may go.")]
         private Vector3 size;
 
         [SerializeField, Tooltip("Raised with the number of the level when another one begins to act; 0: all detail.")]

@@ -28,8 +28,12 @@ namespace SphFluid.Tests
             camera = NewCamera("Main", 1f);
         }
 
-        [TearDown]
-        public void TearDown() => rig.Dispose();
+        [UnityTearDown]
+        public IEnumerator TearDown()
+        {
+            rig.Dispose();
+            yield return Frames(16); // temporary textures of the screen are kept for 15
+        }
 
         [UnityTest]
         public IEnumerator FarLiquidTakesLongerStepsAndComesBack()

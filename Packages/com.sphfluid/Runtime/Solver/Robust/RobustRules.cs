@@ -31,8 +31,8 @@ namespace SphFluid
         private const double CarryingRatio = 2.0;
         private const double CollapseRatio = 1.5;
 
-        // c_eff/v_max of liquid far from cameras: at 2.2 a dam is compressed by 30 % where it hits, at 1.45 by 67 %.
-        private const double LeastRatio = 2.0;
+        // c_eff/v_max of liquid far from cameras: at 1.7 a dam is compressed by 30 % where it hits, at 1.1 by 67 %.
+        private const double LeastRatio = 1.5;
 
         // Of the lattice's stiffness: what settled liquid, which is no lattice, has of it. From columns; robust.md.
         private const double Disorder = 0.88;
