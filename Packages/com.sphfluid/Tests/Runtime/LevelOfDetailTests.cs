@@ -63,6 +63,19 @@ namespace SphFluid.Tests
         }
 
         [UnityTest]
+        public IEnumerator AFreshLiquidBeginsAtItsLevel()
+        {
+            rig.Profile.SoundSpeedMode = FluidSoundSpeedMode.FixedByRule;
+            Far(30f);
+            yield return Frames(3);
+            float sound = simulation.Solver.Settings.SoundSpeed;
+            Far(1f);
+            yield return Frames(2);
+            simulation.StartSimulation();
+            Assert.That(simulation.Solver.Settings.SoundSpeed, Is.EqualTo(2f * sound).Within(0.01f * sound));
+        }
+
+        [UnityTest]
         public IEnumerator TheNearestCameraDecidesAndTheLevelIsToldAndShown()
         {
             int told = -1, times = 0;
