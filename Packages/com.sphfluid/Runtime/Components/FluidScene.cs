@@ -65,6 +65,7 @@ namespace SphFluid
             Shared(simulation, parts.Zones);
             Shared(simulation, parts.Walls);
             parts.Playback = simulation.TryGetComponent(out IFluidPlaybackSource source) ? source.Playback : null;
+            parts.Detail = simulation.TryGetComponent(out IFluidDetailSource worth) ? worth.Detail : default;
         }
 
         /// <summary>The emitters, drains or volumes that belong to a simulation, in hierarchy order where the scene plays.</summary>

@@ -153,6 +153,12 @@ namespace SphFluid
         /// <summary>GPU time of the steps, between <see cref="BeginTiming"/> and <see cref="EndTiming"/>; else null.</summary>
         internal StepTimer Timer => timing.Timer;
 
+        /// <summary>How much detail the liquid has in this frame.</summary>
+        internal FluidDetail Detail => parts.Detail;
+
+        /// <summary>Whether it is recorded or replayed.</summary>
+        internal bool IsWatched => frames.IsWatched;
+
         internal CollisionScene Collision => run?.Collision;
 
         /// <summary>Watches a start, and may end it.</summary>
@@ -165,6 +171,7 @@ namespace SphFluid
             get
             {
                 FluidScene.Gather(this, parts);
+                if (frames.IsWatched) parts.Detail = parts.Detail.WithAllMotion;
                 // An emitter that is disabled takes nothing away from a running liquid.
                 if (run == null || given == null) given = FluidScene.LiquidOf(parts.Emitters) ?? given;
                 return OwnSpec;
@@ -481,7 +488,7 @@ namespace SphFluid
         private void Advance(in FluidSpec spec)
         {
             long steps = StepCount, capped = CapHits;
-            if (frames.TryAdvance(run, spec, Paused, TimeScale, Report, out FluidMessage failure))
+            if (frames.TryAdvance(run, spec, Paused || spec.Detail.Paused, TimeScale, Report, out FluidMessage failure))
             {
                 FluidProfiler.AddLiquid(run.Solver.LiveCount, StepCount - steps, CapHits - capped, GpuBytes);
                 timing.LookAtCosts(run, automatic.Choice, this, Report);

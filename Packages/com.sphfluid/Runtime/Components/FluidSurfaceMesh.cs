@@ -93,6 +93,8 @@ namespace SphFluid
         protected override void Draw(FluidSimulation drawn)
         {
             ReportUnseen();
+            ReportCells(drawn, surface);
+            source.CellFactor = drawn.Detail.CellFactor;
             if (IsFlat() || !source.Request(drawn.Solver, surface, 0, this, out SurfaceBuffers buffers))
             {
                 DrawNothing();

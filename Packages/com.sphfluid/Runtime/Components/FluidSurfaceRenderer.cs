@@ -94,6 +94,8 @@ namespace SphFluid
             FluidLiquid liquid = LiquidOf(drawn);
             DrawPlacement placement = Placement(drawn, 0f, CastShadows ? ShadowOf(liquid) : 0f);
             FluidSurfaceOptions made = liquid != null ? liquid.Surface : surface;
+            ReportCells(drawn, made);
+            drawing.SetDetail(drawn.Detail.CellFactor, drawn.Detail.Caustics);
             if (LookOf(liquid) == FluidSurfaceLook.Water)
                 drawing.DrawWater(drawn.Solver, made, WaterOf(liquid), material, placement, this);
             else

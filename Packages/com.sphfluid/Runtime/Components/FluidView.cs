@@ -1,3 +1,4 @@
+using System;
 using UnityEngine;
 
 namespace SphFluid
@@ -15,6 +16,7 @@ namespace SphFluid
         private FluidShaderSet preparedShaders;
         private bool missingReported;
         private bool failed;
+        private int checkedLevel;
 
         /// <summary>Simulation to draw; where none is assigned, the one on the same GameObject, or null.</summary>
         public FluidSimulation Simulation
@@ -50,7 +52,7 @@ namespace SphFluid
                 DrawNothing();
                 return;
             }
-            if (failed || drawn.Solver == null || !drawn.isActiveAndEnabled)
+            if (failed || drawn.Solver == null || !drawn.isActiveAndEnabled || !drawn.Detail.Drawn)
             {
                 DrawNothing();
                 return;
@@ -83,6 +85,19 @@ namespace SphFluid
         /// <summary>A frame without a running simulation: takes away what would otherwise stay visible.</summary>
         protected virtual void DrawNothing()
         {
+        }
+
+        /// <summary>Reports, once a level, that cells of a surface are not as large as its level of detail asks.</summary>
+        private protected void ReportCells(FluidSimulation drawn, FluidSurfaceOptions made)
+        {
+            FluidDetail detail = drawn.Detail;
+            if (detail.Number == checkedLevel) return;
+            checkedLevel = detail.Number;
+            float most = made.LargestFactor(drawn.Solver.Settings);
+            if (detail.CellFactor <= 1.01f * most) return;
+            drawn.Report(new FluidMessage(FluidSeverity.Info, FluidIssue.DetailLimited, this, FormattableString.Invariant(
+                $"Level {detail.Number} of detail asks for cells {detail.CellFactor:0.##} times as large; they are {most:0.##} times as ") +
+                "large, which the kernel of the surface allows at most.", "Lower Cell Factor, or Cell Size of the surface."));
         }
 
         private void Prepare(FluidShaderSet shaders)

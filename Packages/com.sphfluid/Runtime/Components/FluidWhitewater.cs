@@ -83,7 +83,7 @@ namespace SphFluid
             if (simulation == null) TryGetComponent(out simulation);
             FluidSolver solver = simulation != null && simulation.isActiveAndEnabled ? simulation.Solver : null;
             FluidLiquid liquid = solver == null || ownLook ? null : simulation.ActiveLiquid;
-            if (solver == null || (liquid != null && !liquid.Whitewater))
+            if (solver == null || !simulation.Detail.Whitewater || (liquid != null && !liquid.Whitewater))
             {
                 Forget();
                 return;

@@ -117,6 +117,7 @@ namespace SphFluid
             result.Limit =
                 FluidRules.Advise(solver.Settings, counters.MaxSpeed < float.PositiveInfinity ? counters.MaxSpeed : float.MaxValue).Limit;
             result.Bytes = simulation.GpuBytes;
+            if (simulation.TryGetComponent(out IFluidDetailSource worth) && worth.IsOn) result.Detail = worth.Describe();
             return result;
         }
 

@@ -12,6 +12,9 @@ namespace SphFluid
         /// <summary>The method that was picked automatically, with its cost; null: it is given.</summary>
         public string Method;
 
+        /// <summary>Its level of detail and why; null: it has all always.</summary>
+        public string Detail;
+
         /// <summary>Whether there is a liquid; the numbers below are of it.</summary>
         public bool Runs;
 

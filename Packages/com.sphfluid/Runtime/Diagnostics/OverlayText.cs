@@ -36,6 +36,7 @@ namespace SphFluid
             if (liquid.Runs)
             {
                 if (liquid.Method != null) text.Append("\n  ").Append(liquid.Method);
+                if (liquid.Detail != null) text.Append("\n  ").Append(liquid.Detail);
                 Add($"\n  {liquid.Particles:N0} particles, {liquid.Slots:N0} slots");
                 if (liquid.Removed > 0) Add($", {liquid.Removed:N0} removed");
                 if (liquid.Refused > 0) Add($", {liquid.Refused:N0} not born for want of slots");

@@ -167,6 +167,12 @@ namespace SphFluid
 
         /// <summary>Parts of a liquid are to sleep, and its method, its forces or another setting keep all of it awake.</summary>
         PartsStayAwake,
+
+        /// <summary>Levels of detail have numbers that cannot be used, or no camera to count distances from.</summary>
+        DetailInvalid,
+
+        /// <summary>A level of detail asks for more than the method, the steps or the surface can take.</summary>
+        DetailLimited,
     }
 
     /// <summary>

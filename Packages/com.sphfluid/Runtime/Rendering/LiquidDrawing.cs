@@ -11,6 +11,7 @@ namespace SphFluid
         private readonly SurfaceSource source;
         private WaterDrawing water;
         private OpaqueDrawing opaque;
+        private bool caustics = true;
 
         /// <exception cref="FluidDeviceException">The device cannot make the surface.</exception>
         public LiquidDrawing(FluidShaderSet shaders)
@@ -19,6 +20,11 @@ namespace SphFluid
             source = new SurfaceSource(shaders);
             LiquidViews.Add(source);
         }
+
+        /// <summary>Gives up detail in the drawings to come.</summary>
+        /// <param name="cellFactor">Edge of a cell over that of the options, 1 or more.</param>
+        /// <param name="withCaustics">Whether water has its caustics.</param>
+        public void SetDetail(float cellFactor, bool withCaustics) => (source.CellFactor, caustics) = (cellFactor, withCaustics);
 
         /// <summary>
         /// Draws the surface of the present particles as clear water for every camera of this frame; makes it if one sees it.
@@ -29,7 +35,7 @@ namespace SphFluid
             Dispose(ref opaque);
             water = water ?? new WaterDrawing(shaders);
             if (!TryFill(water, solver, options, look.Spray, placement, owner, out SurfaceBuffers surface)) return;
-            water.SetLook(surface, look, WaterCameras.LargestView, placement);
+            water.SetLook(surface, look, WaterCameras.LargestView, placement, caustics);
             if (ownMaterial == null) water.SetSurface(look);
             water.Draw(surface, ownMaterial, placement);
             if (look.Spray > 0) water.DrawSpray(source.Spray, look, placement);

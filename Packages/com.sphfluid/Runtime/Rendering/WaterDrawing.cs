@@ -47,7 +47,8 @@ namespace SphFluid
         public ThicknessPass Thickness => thickness;
 
         /// <summary>Takes this frame's surface for the thickness picture, and sets what the water looks like and mirrors.</summary>
-        public void SetLook(in SurfaceBuffers surface, FluidWaterLook look, Vector2Int largestView, in DrawPlacement placement)
+        public void SetLook(in SurfaceBuffers surface, FluidWaterLook look, Vector2Int largestView, in DrawPlacement placement,
+            bool withCaustics = true)
         {
             thickness.Prepare(surface, placement, largestView, look.HalfResolution);
             thickness.Apply(Block);
@@ -58,7 +59,7 @@ namespace SphFluid
             Block.SetVector(RenderShaderIds.FluidScattering, scattering);
             Block.SetVector(RenderShaderIds.FluidEmission, look.Surface);
             Block.SetVector(RenderShaderIds.FluidRefractionSteps, look.RefractionSteps);
-            SetCaustics(surface, look.Caustics, placement);
+            SetCaustics(surface, withCaustics ? look.Caustics : 0f, placement);
         }
 
         /// <summary>Sets refraction, smoothness and shadow, where no material of the user's does.</summary>

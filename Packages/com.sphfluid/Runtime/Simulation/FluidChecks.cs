@@ -81,6 +81,7 @@ namespace SphFluid
             {
                 TimeStepChecks.Check(spec, start.Constants, messages);
                 SleepChecks.Check(spec, start, messages);
+                DetailChecks.Check(spec, start, messages);
             }
             return messages.OrderByDescending(m => m.Severity).ToList();
         }

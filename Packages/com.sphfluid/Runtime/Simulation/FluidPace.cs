@@ -33,13 +33,15 @@ namespace SphFluid
         private readonly Func<int> keepPlaces;
         private readonly Action forgetPlaces;
         private readonly Func<double, double> stepAt; // by the speed that the constants are made for
-        private FluidSpec spec;
+        private readonly StepDetail detail = new StepDetail();
+        private FluidSpec spec; // its rules coarser by the level of detail
         private SpeedReadback speeds;
         private AdaptiveClock adaptive;
         private SpeedReference reference;
         private SleepWatch sleep;
         private bool yields;
         private double gainInFrame;
+        private double asked = double.NaN, coarsest = 1.0; // of the level of detail, and what its steps reach
 
         /// <summary>The pace of a solver with its first settings.</summary>
         /// <exception cref="FluidDeviceException">A shader is missing, or the device cannot run it.</exception>
@@ -50,12 +52,15 @@ namespace SphFluid
             keepPlaces = () => speeds.KeepPlaces();
             forgetPlaces = () => speeds.ForgetPlaces();
             stepAt = speed => LongestStep(FluidConstants.Derive(this.spec, this.start, this.start.Gravity, speed), gainInFrame);
-            TakeLimits(spec, solver.Settings);
+            // No pressure has built up yet.
+            if (spec.StartRelaxation == FluidStartRelaxation.None) detail.Factor = StepDetail.Reached(spec, start, spec.Detail.StepFactor);
+            TakeLimits(detail.AppliedTo(spec), solver.Settings);
             if (reference != null && spec.IsOpen)
             {
                 reference.Begin(FluidConstants.FastestSource(spec, start.InitialSpeed) + FallAhead * spec.Gravity.magnitude);
                 solver.ApplySettings(AtReference());
             }
+            else if (detail.Factor != 1.0) solver.ApplySettings(Constants());
             TakeClock();
         }
 
@@ -90,13 +95,37 @@ namespace SphFluid
         /// Takes over changed settings and gives the solver its constants. A clock that still fits goes on with the rest it holds.
         /// </summary>
         /// <exception cref="ArgumentException">A constant is out of range.</exception>
-        public void Update(in FluidSpec now)
+        public void Update(in FluidSpec given)
         {
+            asked = double.NaN;
+            FluidSpec now = detail.AppliedTo(given);
             FluidSolverSettings rule = FluidConstants.Derive(now, start, start.Gravity);
             yields = false;
             TakeLimits(now, rule);
             solver.ApplySettings(reference == null ? rule : AtReference());
             TakeClock();
+        }
+
+        /// <summary>How many times longer steps are than as set up, by the level of detail.</summary>
+        public double Coarseness => detail.Factor;
+
+        /// <summary>Goes towards the level of detail by a frame; nothing wakes.</summary>
+        /// <param name="given">The simulation as it is now.</param>
+        /// <param name="time">Length of the frame [s].</param>
+        public void Follow(in FluidSpec given, double time)
+        {
+            double wanted = given.Detail.StepFactor;
+            if (wanted != asked) (asked, coarsest) = (wanted, StepDetail.Reached(given, start, wanted));
+            if (yields || (coarsest == 1.0 && detail.Factor == 1.0)) return;
+            if (detail.Update(coarsest, time)) TakeDetail(given);
+            (Clock as FrameClock)?.Soften(detail.Factor * time / given.Profile.Rules.Substeps);
+        }
+
+        /// <summary>Takes over what a save had for <see cref="Coarseness"/>.</summary>
+        public void Continue(in FluidSpec given, double coarseness)
+        {
+            detail.Factor = coarseness;
+            TakeDetail(given);
         }
 
         /// <summary>Something touched the liquid: it takes steps again.</summary>
@@ -255,6 +284,14 @@ namespace SphFluid
             else DropSpeeds();
         }
 
+        // When liquid rests does not depend on it.
+        private void TakeDetail(in FluidSpec given)
+        {
+            spec = detail.AppliedTo(given);
+            solver.ApplySettings(Constants());
+            TakeClock();
+        }
+
         private void TakeClock()
         {
             double step = solver.Settings.TimeStep;
@@ -263,12 +300,17 @@ namespace SphFluid
             {
                 adaptive = null;
                 IStepClock made = FluidMethods.Get(spec.Method).MakeClock(solver.Settings, most);
-                if (!(Clock is FrameClock frames) || !frames.IsLike(made as FrameClock)) Clock = made;
+                var frames = Clock as FrameClock;
+                if (frames != null && frames.IsLike(made as FrameClock)) return;
+                if (frames != null) ((FrameClock)made).LongestOfLate = frames.LongestOfLate;
+                Clock = made;
             }
             else if (!IsAdaptive)
             {
                 adaptive = null;
-                if (!(Clock is StepClock clock) || clock.TimeStep != step || clock.MaxSteps != most) Clock = new StepClock(step, most);
+                var clock = Clock as StepClock;
+                if (clock != null && clock.TimeStep == step && clock.MaxSteps == most) return;
+                Clock = new StepClock(step, most) { Pending = clock?.Pending ?? 0.0 };
             }
             else if (adaptive == null || adaptive.MaxSteps != most)
             {
@@ -304,6 +346,8 @@ namespace SphFluid
 
         // Without a speed that follows the liquid only colliders raise the constants.
         private static bool Hears(in FluidSpec spec) => Follows(spec) || StepsByFrame(spec);
+
+        private FluidSolverSettings Constants() => reference == null ? FluidConstants.Derive(spec, start, start.Gravity) : AtReference();
 
         private FluidSolverSettings AtReference() => Follows(spec)
             ? FluidConstants.Derive(spec, start, start.Gravity, reference.Speed)

@@ -26,7 +26,7 @@ namespace SphFluid
         private FluidLiveKey live;
         private Vector3 position;
         private Quaternion rotation;
-        private int knownChanges, knownParticles, knownSettings;
+        private int knownChanges, knownParticles, knownSettings, knownDetail;
         private double restedTime, motionTime;
 
         /// <summary>Starts; takes over <paramref name="collision"/>, which has been gathered.</summary>
@@ -153,6 +153,7 @@ namespace SphFluid
             if (motionTime > deltaTime && deltaTime > 0f) moved *= deltaTime / motionTime;
             double motion = Math.Max(moved, deltaTime * flows.FastestSpeed(spec));
             loads.Record(Collision.Solids, spec.DomainSize, deltaTime, moved);
+            FollowDetail(spec, deltaTime);
             int steps = frameTime == null ? pace.StepOnce(motion) : pace.Advance(deltaTime, motion, loads);
             flows.Begin(spec, steps * pace.Clock.TimeStep);
             bool pushed = zones.Waits(spec);
@@ -238,6 +239,7 @@ namespace SphFluid
             pace.Save(Section(FluidSave.Pace));
             flows.Save(Section(FluidSave.Flows), spec);
             zones.Save(Section(FluidSave.Zones), spec);
+            if (pace.Coarseness != 1.0) Section(FluidSave.Detail).Write(pace.Coarseness);
             obstacles.Bodies?.Save(Section(FluidSave.Colliders));
             floats?.Save(Section(FluidSave.Floats), obstacles.Bodies.Floating);
             SaveFile.Write(stream, sections);
@@ -255,6 +257,7 @@ namespace SphFluid
             if (save.Has(FluidSave.Floats)) floats?.Load(save.Section(FluidSave.Floats), obstacles.Bodies.Floating);
             loads.Forget();
             parts.Forget();
+            pace.Continue(spec, save.Has(FluidSave.Detail) ? save.Section(FluidSave.Detail).Read<double>() : 1.0);
             pace.Load(save.Section(FluidSave.Pace));
             flows.Load(save.Section(FluidSave.Flows), spec);
             zones.Load(save.Section(FluidSave.Zones), spec);
@@ -294,6 +297,14 @@ namespace SphFluid
             live = now;
             pace.Update(spec);
             return true;
+        }
+
+        private void FollowDetail(in FluidSpec spec, double deltaTime)
+        {
+            pace.Follow(spec, deltaTime);
+            if (spec.Detail.Number == knownDetail) return;
+            knownDetail = spec.Detail.Number;
+            if (knownDetail > 0 && DetailChecks.Find(spec, start, knownDetail) is FluidMessage vain) report(vain);
         }
 
         private bool GatherColliders(in FluidSpec spec)

@@ -84,6 +84,9 @@ namespace SphFluid
         /// <summary>Emitters, drains and force zones that do nothing while the liquid is shown and not stepped.</summary>
         public int IdleParts;
 
+        /// <summary>What of its detail is given up, as it is far from the cameras.</summary>
+        public FluidDetail Detail;
+
         public FluidBodyForce BodyForce;
         public FluidBoundaries Boundaries;
         public Func<Vector3, Vector3> VelocityField;

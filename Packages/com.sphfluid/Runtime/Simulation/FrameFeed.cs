@@ -9,6 +9,9 @@ namespace SphFluid
         private IFluidFrames watcher;
         private int singleSteps;
 
+        /// <summary>Whether a recording or a replay sees what the liquid is given.</summary>
+        public bool IsWatched => watcher != null;
+
         /// <summary>Lets a recording or a replay see what the liquid is given.</summary>
         /// <param name="watcher">The recording or the replay.</param>
         /// <param name="name">Of the simulation.</param>

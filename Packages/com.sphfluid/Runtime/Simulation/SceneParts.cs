@@ -27,6 +27,9 @@ namespace SphFluid
         /// <summary>What plays the liquid; null: it is stepped.</summary>
         public IFluidPlayback Playback { get; set; }
 
+        /// <summary>How much detail it is worth now.</summary>
+        public FluidDetail Detail { get; set; }
+
         /// <summary>
         /// A number that another number or setting of volumes, emitters and zones changes: what keeps a liquid from starting is tried again
         /// then. NaN is the same as NaN.
@@ -62,6 +65,7 @@ namespace SphFluid
             spec.Drains = Drains;
             spec.Zones = Zones;
             spec.Walls = Walls;
+            spec.Detail = Detail;
             return spec;
         }
     }

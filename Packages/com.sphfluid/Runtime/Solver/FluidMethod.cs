@@ -78,6 +78,23 @@ namespace SphFluid
         public string ShorterSteps => "With Time Step Mode Fixed shorten Fixed Time Step; else " +
             (Has(FluidMethodFeatures.StepsByFrame) ? "raise the profile's Substeps" : "lower the profile's Time Step Fraction");
 
+        /// <summary>
+        /// How many times longer steps this method can take of a liquid that is worth less work, no more than asked for; 1: none.
+        /// </summary>
+        /// <param name="input">The liquid as its profile asks.</param>
+        /// <param name="asked">How many times longer they are to be, 1 or more.</param>
+        public virtual double CoarsestFactor(in FluidRuleInput input, double asked) => 1.0;
+
+        /// <summary>Rules for steps that are so many times longer, 1 to <see cref="CoarsestFactor"/>.</summary>
+        public virtual FluidRuleInput Coarsen(FluidRuleInput rules, double factor) => rules;
+
+        /// <summary>Why steps are not as long as asked for, the end of a sentence; null: they are.</summary>
+        public virtual string CoarsestReason(in FluidRuleInput input, double asked, double reached) =>
+            asked > reached ? $", and the method {Kind} takes them as they are." : null;
+
+        /// <summary>And the cure.</summary>
+        public virtual string CoarsestCure => "Use the method Standard or Robust, or set Step Factor to 1.";
+
         /// <summary>Whether cells of 2R are searched by octants, not cells of R by rows.</summary>
         public virtual bool SearchesOctants(in FluidRuleInput input) => false;
 

@@ -44,6 +44,10 @@ namespace SphFluid
         /// <inheritdoc/>
         public double LastDroppedTime { get; private set; }
 
+        /// <summary>Makes the liquid as soft as steps of a length do, before they are taken.</summary>
+        /// <param name="step">Their length [s].</param>
+        public void Soften(double step) => LongestOfLate = Math.Max(LongestOfLate, Math.Min(step, longest));
+
         /// <summary>Steps of a frame.</summary>
         /// <param name="frameTime">Its time [s].</param>
         /// <param name="substeps">Steps that it is cut into where these are not too long.</param>

@@ -46,9 +46,17 @@ namespace SphFluid
         /// <summary>The field for a liquid.</summary>
         /// <exception cref="ArgumentOutOfRangeException">The cells are too large for the kernel, or their size is not a
         /// positive number.</exception>
-        internal SurfaceFieldSettings Field(in FluidSolverSettings settings) =>
-            CellSize == 0f
-                ? SurfaceFieldSettings.For(Quality, settings)
-                : SurfaceFieldSettings.For(Quality, settings, CellSize);
+        /// <param name="settings">The liquid.</param>
+        /// <param name="factor">Edge of a cell over what the options say, 1 or more; less where cells would be too large.</param>
+        internal SurfaceFieldSettings Field(in FluidSolverSettings settings, float factor = 1f)
+        {
+            return SurfaceFieldSettings.For(Quality, settings, Cell * Mathf.Min(factor, LargestFactor(settings)));
+        }
+
+        /// <summary>How many times larger than as set up cells may be, 1 or more.</summary>
+        internal float LargestFactor(in FluidSolverSettings settings) =>
+            Mathf.Max(1f, SurfaceFieldSettings.LargestCell(settings) / Cell);
+
+        private float Cell => CellSize == 0f ? SurfaceFieldSettings.CellOf(Quality) : CellSize;
     }
 }

@@ -24,6 +24,9 @@ namespace SphFluid
 
         public SparseSurface Surface { get; }
 
+        /// <summary>Edge of a cell over that of the options, 1 or more; as far as cells may be so large.</summary>
+        public float CellFactor { get; set; } = 1f;
+
         /// <summary>Grid of the last surface.</summary>
         public SurfaceGrid Grid => requested.Grid;
 
@@ -125,7 +128,7 @@ namespace SphFluid
             field = default;
             try
             {
-                field = options.Field(settings);
+                field = options.Field(settings, CellFactor);
                 grid = SurfaceGrid.OverDomain(settings.DomainSize, field.CellSize);
                 reported = null;
                 return true;

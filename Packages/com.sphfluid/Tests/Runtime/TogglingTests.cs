@@ -65,7 +65,8 @@ namespace SphFluid.Tests
         // What draws, or needs a simulation on its object, gets the liquid's.
         private static GameObject Holder(SimulationRig rig, FluidSimulation simulation, Type type)
         {
-            if (typeof(FluidView).IsAssignableFrom(type) || type == typeof(FluidDiagnostics) || type == typeof(FluidWhitewater))
+            if (typeof(FluidView).IsAssignableFrom(type) || type == typeof(FluidDiagnostics) || type == typeof(FluidWhitewater) ||
+                type == typeof(FluidLevelOfDetail))
             {
                 return simulation.gameObject;
             }

@@ -12,7 +12,8 @@ namespace SphFluid
     internal sealed class FluidSave
     {
         public const string About = "ABOUT", Liquid = "LIQUID", Particles = "PARTICLE", Run = "RUN", Pace = "PACE", Flows = "FLOWS",
-            Zones = "ZONES", Colliders = "COLLIDER", Floats = "FLOATS", Choice = "CHOICE", Offsets = "OFFSETS";
+            Zones = "ZONES", Colliders = "COLLIDER", Floats = "FLOATS", Choice = "CHOICE", Offsets = "OFFSETS",
+            Detail = "DETAIL";
 
         private readonly Dictionary<string, byte[]> sections;
         private readonly List<string> missing = new List<string>();

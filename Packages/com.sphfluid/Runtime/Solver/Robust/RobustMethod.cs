@@ -41,6 +41,24 @@ namespace SphFluid
 
         public override double CellCount(in FluidSolverSettings settings) => FluidGrid.CountFor(settings, CellRows.Border);
 
+        public override double CoarsestFactor(in FluidRuleInput input, double asked) =>
+            input.Substeps / (double)RobustRules.FewestSubsteps(input, asked);
+
+        public override FluidRuleInput Coarsen(FluidRuleInput rules, double factor)
+        {
+            rules.Substeps = RobustRules.CoarserSubsteps(rules.Substeps, factor);
+            return rules;
+        }
+
+        public override string CoarsestReason(in FluidRuleInput input, double asked, double reached)
+        {
+            int fewest = RobustRules.CoarserSubsteps(input.Substeps, reached);
+            return fewest == RobustRules.CoarserSubsteps(input.Substeps, asked) ? null
+                : $"; of its Substeps {fewest} are the fewest that keep the liquid's shape and take less work.";
+        }
+
+        public override string CoarsestCure => "Lower Step Factor, or raise Substeps of the profile.";
+
         public override IStepClock MakeClock(in FluidSolverSettings settings, int maxSteps)
         {
             int substeps = settings.Own<RobustSettings>().Substeps;

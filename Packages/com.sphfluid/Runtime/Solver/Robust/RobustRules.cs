@@ -31,6 +31,9 @@ namespace SphFluid
         private const double CarryingRatio = 2.0;
         private const double CollapseRatio = 1.5;
 
+        // c_eff/v_max of liquid far from cameras: at 1.7 a dam is compressed by 30 % where it hits, at 1.1 by 67 %.
+        private const double LeastRatio = 1.5;
+
         // Of the lattice's stiffness: what settled liquid, which is no lattice, has of it. From columns; robust.md.
         private const double Disorder = 0.88;
 
@@ -57,6 +60,26 @@ namespace SphFluid
                 StableOrder = true,
                 NeighbourList = true,
             });
+        }
+
+        /// <summary>Substeps that a liquid is cut into where it may take steps some times longer.</summary>
+        public static int CoarserSubsteps(int substeps, double factor) => Math.Max(1, (int)Math.Ceiling(substeps / factor - 1e-6));
+
+        /// <summary>
+        /// The same as far as it pays: deep liquid needs the more iterations the longer a step is. Worked example: 4 substeps of 2
+        /// iterations, as 8 passes, become 2 of 3, as 6.
+        /// </summary>
+        public static int FewestSubsteps(in FluidRuleInput input, double asked)
+        {
+            int best = input.Substeps, least = CoarserSubsteps(input.Substeps, asked);
+            FluidSolverSettings settings = Derive(input);
+            int Iterations(int substeps) => substeps * IterationsFor(settings, NominalFrame / substeps, settings.MaxSpeed);
+            double weight = CarryingRatio * settings.Own<RobustSettings>().DepthSpeed;
+            double longest = Math.Min(IterationSpeed(settings, 1.0, MostForWeight) / weight,
+                IterationSpeed(settings, 1.0, LeastIterations) / (LeastRatio * settings.MaxSpeed));
+            for (int substeps = best - 1; substeps >= least && NominalFrame / substeps <= longest; substeps--)
+                if (Iterations(substeps) < Iterations(best)) best = substeps;
+            return best;
         }
 
         /// <summary>ω by κ: two fifths to a half of the border of the lattice, as compression adds neighbours.</summary>

@@ -42,6 +42,20 @@ namespace SphFluid
 
         public override FluidSolverSettings Derive(in FluidRuleInput input) => StandardRules.Derive(input);
 
+        public override double CoarsestFactor(in FluidRuleInput input, double asked) => StandardRules.CoarsestFactor(input, asked);
+
+        public override FluidRuleInput Coarsen(FluidRuleInput rules, double factor)
+        {
+            rules.SoundSpeedRatio = (float)(rules.SoundSpeedRatio / factor);
+            rules.MaxCompression = (float)(rules.MaxCompression * factor * factor);
+            return rules;
+        }
+
+        public override string CoarsestReason(in FluidRuleInput input, double asked, double reached) =>
+            StandardRules.CoarsestReason(asked, reached);
+
+        public override string CoarsestCure => "Lower Step Factor, or raise Sound Speed Ratio and lower Max Compression of the profile.";
+
         public override double PassesAStep => 3.0;
 
         public override string CostVariant(in FluidSolverSettings settings)

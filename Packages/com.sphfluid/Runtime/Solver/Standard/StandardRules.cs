@@ -23,6 +23,9 @@ namespace SphFluid
         // Steps of a list where forces act of their own, which move particles of the surface one by one or are made with the list.
         private const int MostStepsWithForces = 8;
 
+        // Of a liquid that is far from cameras: below such a ratio, above such a compression it is a sponge from there too.
+        private const double LeastRatio = 2.5, MostCompression = 0.16;
+
         // τ c/R, and the rate at which density grows over ρ0 c/R.
         private const float ImpactTime = 0.4f, ImpactRate = 0.07f;
 
@@ -46,6 +49,14 @@ namespace SphFluid
             settings.TimeStep = input.FixedTimeStep > 0f ? input.FixedTimeStep : (float)step;
             return settings.WithOwn(own);
         }
+
+        /// <summary>How many times lower the speed of sound may be, and how many times longer steps by it, no more than asked.</summary>
+        public static double CoarsestFactor(in FluidRuleInput input, double asked) => Math.Max(1.0, Math.Min(asked,
+            Math.Min(input.SoundSpeedRatio / LeastRatio, Math.Sqrt(MostCompression / input.MaxCompression))));
+
+        /// <summary>Why it is not lower, the end of a sentence; null: it is as low as asked.</summary>
+        public static string CoarsestReason(double asked, double reached) => asked <= 1.01 * reached ? null : FormattableString.Invariant(
+            $"; a Sound Speed Ratio of {LeastRatio} and a Max Compression of {MostCompression}, the softest, allow {reached:0.##} times.");
 
         /// <summary>Advice for a running liquid.</summary>
         public static TimeStepAdvice Advise(in FluidSolverSettings settings, double maxSpeed)

@@ -101,6 +101,13 @@ namespace SphFluid
         /// <summary>Whether this was made by one of the methods below.</summary>
         public bool IsSet => SupportRadius > 0f;
 
+        /// <summary>Edge of a cell by a quality, in spacings.</summary>
+        internal static float CellOf(FluidSurfaceQuality quality) => Preset.Get(quality).CellRatio;
+
+        /// <summary>Largest edge of a cell, in spacings.</summary>
+        internal static float LargestCell(in FluidSolverSettings settings) =>
+            LargestCellRatio * Mathf.Min(SmoothRatio, settings.SupportRadius / settings.Spacing);
+
         /// <summary>The smooth field.</summary>
         /// <param name="quality">Cells of 1, 0.75 or 0.5 spacings, and a filter to match.</param>
         /// <param name="settings">The liquid: spacing and support radius.</param>
