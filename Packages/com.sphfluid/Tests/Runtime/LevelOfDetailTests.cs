@@ -14,6 +14,7 @@ namespace SphFluid.Tests
         private FluidSimulation simulation;
         private FluidLevelOfDetail detail;
         private Camera camera;
+        private RenderTexture picture;
 
         [SetUp]
         public void SetUp()
@@ -25,6 +26,7 @@ namespace SphFluid.Tests
             detail.Levels.Clear();
             detail.Levels.Add(new FluidDetailLevel { Distance = 10f, StepFactor = 1.5f, CellFactor = 1.5f });
             detail.Levels.Add(new FluidDetailLevel { Distance = 20f, StepFactor = 2f, CellFactor = 2f, Drawn = false, Whitewater = false });
+            picture = new RenderTexture(8, 8, 16);
             camera = NewCamera("Main", 1f);
         }
 
@@ -32,6 +34,7 @@ namespace SphFluid.Tests
         public IEnumerator TearDown()
         {
             rig.Dispose();
+            Object.DestroyImmediate(picture);
             yield return Frames(16); // temporary textures of the screen are kept for 15
         }
 
@@ -353,6 +356,7 @@ namespace SphFluid.Tests
         {
             var made = rig.NewObject(name).AddComponent<Camera>();
             made.fieldOfView = 60f;
+            made.targetTexture = picture;
             made.transform.position = Place(distance);
             return made;
         }
