@@ -32,6 +32,7 @@ namespace SphFluid
         private static readonly int SupportRatio = Shader.PropertyToID("_SupportRatio");
         private static readonly int MirrorSpacing = Shader.PropertyToID("_MirrorSpacing");
         private static readonly int RestDensity = Shader.PropertyToID("_RestDensity");
+        private static readonly int SuctionFloor = Shader.PropertyToID("_SuctionFloor");
 
         // Copied when recorded, so one array serves; command buffers are recorded on the main thread.
         [OutlivesPlay("it is filled anew for each use")] private static readonly int[] Counts = new int[4];
@@ -104,6 +105,10 @@ namespace SphFluid
             kernel.Set(cmd, state.List.WallBodies);
             kernel.Set(cmd, state.Walls.NearWalls);
         }
+
+        /// <summary>Kernels that turn density into pressure: the least of it.</summary>
+        public static void SetSuction(CommandBuffer cmd, ComputeKernel kernel, in FluidSolverSettings settings) =>
+            kernel.SetFloat(cmd, SuctionFloor, settings.PressureClamp ? 0f : -settings.RestDensity);
 
         /// <summary>WallMotion.hlsl: how near to a wall a particle's own speed brings it in a step.</summary>
         public static void SetShell(CommandBuffer cmd, ComputeKernel kernel, in FluidSolverSettings settings, float timeStep)

@@ -52,7 +52,7 @@ namespace SphFluid
         public BufferRange Rank { get; private set; }
 
         /// <summary>Behind those what <see cref="AwakeGroups"/> lists.</summary>
-        public BufferRange AwakeGroups { get; private set; }
+        public BufferRange GroupLists { get; private set; }
 
         /// <summary>Cells, and one for those that left the domain; 0 where only those with particles are stored.</summary>
         public readonly int CellTotal;
@@ -73,7 +73,7 @@ namespace SphFluid
             this.sparse = sparse;
             CellTotal = sparse.AreUsed ? 0 : cellCount + 1;
             SumCount = CellRows.ScanSums(CellTotal);
-            CellTable = AddFor("CellTable", particleCount, 4, particles => GroupsBegin(particles) + SphFluid.AwakeGroups.Words(particles));
+            CellTable = AddFor("CellTable", particleCount, 4, particles => GroupsBegin(particles) + AwakeGroups.Words(particles));
             Divide(particleCount);
         }
 
@@ -94,9 +94,9 @@ namespace SphFluid
         {
             CellCount = CellTable.Range("CellCount", CountsBegin(particleCount));
             Rank = CellTable.Range("Rank", RanksBegin(particleCount));
-            AwakeGroups = CellTable.Range("AwakeGroups", GroupsBegin(particleCount));
+            GroupLists = CellTable.Range("GroupLists", GroupsBegin(particleCount));
             CellTable.SetData(new[] { (uint)sparse.Words }); // tells which table it is
-            CellTable.SetData(SphFluid.AwakeGroups.All, AwakeGroups.Begin);
+            CellTable.SetData(AwakeGroups.All, GroupLists.Begin);
         }
     }
 }

@@ -9,7 +9,6 @@ namespace SphFluid
         private static readonly int InverseMoment = Id("_InverseMoment");
         private static readonly int SoundSpeedSquared = Id("_SoundSpeedSquared");
         private static readonly int Impact = Id("_Impact");
-        private static readonly int SuctionFloor = Id("_SuctionFloor");
         private static readonly int SupportSquared = Id("_SupportSquared");
         private static readonly int Ahead = Id("_Ahead");
         private static readonly int Places = Id("_Places");
@@ -64,7 +63,7 @@ namespace SphFluid
             kernel.SetFloat(cmd, InverseMoment, (float)(1.0 / WendlandKernel.LatticeMoment(settings.SupportRadius / settings.Spacing)));
             kernel.SetFloat(cmd, SoundSpeedSquared, settings.SoundSpeed * settings.SoundSpeed);
             kernel.SetVector(cmd, Impact, state.Impact);
-            kernel.SetFloat(cmd, SuctionFloor, settings.PressureClamp ? 0f : -settings.RestDensity);
+            CellBindings.SetSuction(cmd, kernel, settings);
             kernel.SetOut(cmd, state.Buffers.PositionTerms);
             foreach (ParticleForce force in StandardForces.All) force.SetDensity(cmd, kernel, state);
             if (state.HasBodies) kernel.SetOut(cmd, state.Walls.Contacts);

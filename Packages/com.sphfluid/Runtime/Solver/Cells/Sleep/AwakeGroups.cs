@@ -47,7 +47,7 @@ namespace SphFluid
         public static void Dispatch(CommandBuffer cmd, ComputeKernel kernel, CellState state)
         {
             bool areLeftOut = AreLeftOut(state);
-            kernel.SetInt(cmd, ListBegin, areLeftOut ? FirstList(state) : state.Buffers.AwakeGroups.Begin);
+            kernel.SetInt(cmd, ListBegin, areLeftOut ? FirstList(state) : state.Buffers.GroupLists.Begin);
             if (areLeftOut) kernel.DispatchIndirect(cmd, state.Sleep.Groups.arguments);
             else kernel.DispatchThreads(cmd, state.ParticleCount);
         }
@@ -72,7 +72,7 @@ namespace SphFluid
             AreListed = true;
         }
 
-        private static int FirstList(CellState state) => state.Buffers.AwakeGroups.Begin + All.Length;
+        private static int FirstList(CellState state) => state.Buffers.GroupLists.Begin + All.Length;
 
         private static int SecondList(CellState state) => FirstList(state) + ListWords(state.Capacity);
 

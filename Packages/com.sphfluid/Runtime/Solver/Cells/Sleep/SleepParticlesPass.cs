@@ -24,7 +24,6 @@ namespace SphFluid
         private const float StillUnits = 2f;
 
         private static readonly int SleptStiffness = Id("_SleptStiffness");
-        private static readonly int SuctionFloor = Id("_SuctionFloor");
 
         private readonly ComputeKernel wake, mark, rest, count, judge, spread;
 
@@ -75,7 +74,7 @@ namespace SphFluid
             {
                 CellBindings.SetCells(cmd, rest, state);
                 rest.SetFloat(cmd, RestDensity, settings.RestDensity);
-                rest.SetFloat(cmd, SuctionFloor, settings.PressureClamp ? 0f : -settings.RestDensity);
+                CellBindings.SetSuction(cmd, rest, settings);
                 rest.SetFloat(cmd, SleptStiffness, state.Sleep.Stiffness);
                 rest.Set(cmd, state.Buffers.Positions);
                 rest.Set(cmd, state.Buffers.Velocities);
@@ -89,7 +88,7 @@ namespace SphFluid
             }
         }
 
-        /// <summary>The end of a step of those that its passes went over.</summary>
+        /// <summary>The end of a step for the groups that its passes left out.</summary>
         public void RecordCount(CommandBuffer cmd, CellState state, in FluidStep step)
         {
             if (!state.Sleep.Groups.AreListed || step.KeepsOrder) return;

@@ -47,7 +47,7 @@ namespace SphFluid.Tests
             {
                 CellState state = rig.State;
                 bool[] sleeps = Sleeping(rig);
-                int groups = (sleeps.Length + GroupSize - 1) / GroupSize, begin = state.Buffers.AwakeGroups.Begin;
+                int groups = (sleeps.Length + GroupSize - 1) / GroupSize, begin = state.Buffers.GroupLists.Begin;
                 uint[] table = GpuTest.Read<uint>(state.Buffers.CellTable, begin + (int)AwakeGroups.Words(state.Capacity));
                 Assert.That(table[begin], Is.EqualTo(uint.MaxValue), "of what takes all");
                 uint[] List(int at) => table.Skip(at + 1).Take((int)table[at]).OrderBy(g => g).ToArray();
