@@ -100,9 +100,9 @@ float4 FluidClipPosition(float3 world)
 
 // The same of a place in simulation space. At 10 km from the origin places in the world have steps of 1 mm, so the way from the domain's
 // middle is projected apart; what rounding is left moves all of a picture alike.
-float4 FluidClipOfLocal(float3 local)
+float4 FluidClipOfLocal(float3 local, float3 worldOffset)
 {
-    return mul(unity_MatrixVP, float4(FluidWorldDirection(local), 0.0)) + FluidClipPosition(FluidOrigin());
+    return mul(unity_MatrixVP, float4(FluidWorldDirection(local) + worldOffset, 0.0)) + FluidClipPosition(FluidOrigin());
 }
 
 // Moves a shadow caster away from the light, but never in front of the light's near plane.

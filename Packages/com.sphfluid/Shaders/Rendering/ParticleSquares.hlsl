@@ -44,14 +44,14 @@ SquareFragment ExpandSquare(uint vertexId : SV_VertexID EYE_PARAMETER)
 
     SquareFragment output;
     EYE_TO(output)
-    output.world = FluidWorldPosition(particle.Position) + unity_MatrixV[0].xyz * offset.x + unity_MatrixV[1].xyz * offset.y;
+    float3 aside = unity_MatrixV[0].xyz * offset.x + unity_MatrixV[1].xyz * offset.y;
+    output.world = FluidWorldPosition(particle.Position) + aside;
     output.uv = uv;
     float share = _FastSpeed > 0.0 ? saturate(length(particle.VelT1) / _FastSpeed) : 0.0;
     output.colour = lerp(_Color.rgb, _FastColor.rgb, share);
+    output.clipPosition = FluidClipOfLocal(particle.Position, aside);
 #if defined(FLUID_SHADOW_CASTER)
-    output.clipPosition = FluidShadowClipPosition(FluidClipPosition(output.world));
-#else
-    output.clipPosition = FluidClipPosition(output.world);
+    output.clipPosition = FluidShadowClipPosition(output.clipPosition);
 #endif
     return output;
 }

@@ -111,9 +111,10 @@ DropFragment ExpandDropFor(uint vertexId, float height)
 
     float2 corner = DropCorner(vertexId % 6u) * float2(halfLength / drawn + 1.0, 1.0);
     float2 offset = (along * corner.x + float2(-along.y, along.x) * corner.y) * (grown > 0.0 ? drawn : 0.0);
-    output.world = world + right * offset.x + up * offset.y;
+    float3 aside = right * offset.x + up * offset.y;
+    output.world = world + aside;
     output.across = float3(corner, halfLength / drawn);
-    output.clipPosition = FluidClipPosition(output.world);
+    output.clipPosition = FluidClipOfLocal(centre, aside);
     output.softness = isMist ? drawn : 0.0;
     float3 view = WaterView(world);
     float2 side = DropCorner(vertexId % 6u);

@@ -20,7 +20,7 @@ SurfaceFragment ProjectSurfaceVertex(SurfaceVertex surface)
     EYE_TO(fragment)
     fragment.local = surface.position;
     fragment.normal = FluidWorldDirection(surface.normal);
-    fragment.clipPosition = FluidClipOfLocal(surface.position);
+    fragment.clipPosition = FluidClipOfLocal(surface.position, (float3)0.0);
 #if defined(FLUID_SHADOW_CASTER)
     fragment.clipPosition = FluidShadowClipPosition(fragment.clipPosition);
 #endif

@@ -128,10 +128,11 @@ SpotFragment ExpandSpot(uint vertexId, bool behind)
     EYE_TO(output)
     float2 corner = SpotCorner(vertexId % 3u);
     float2 offset = (axis * (corner.x * stretch) + float2(-axis.y, axis.x) * corner.y) * (cover > LEAST_COVER ? drawn : 0.0);
-    output.world = world + along * offset.x + across * offset.y;
-    float3 lifted = output.world + (kind == WHITEWATER_FOAM ? WaterView(output.world) * (LIFT * _WhitewaterSpacing) : (float3)0.0);
+    float3 aside = along * offset.x + across * offset.y;
+    output.world = world + aside;
+    float3 lift = kind == WHITEWATER_FOAM ? WaterView(output.world) * (LIFT * _WhitewaterSpacing) : (float3)0.0;
     output.across = float3(corner, (float)kind);
-    output.clipPosition = FluidClipPosition(lifted);
+    output.clipPosition = FluidClipOfLocal(piece.position, aside + lift);
     float3 lit = normalize((kind == WHITEWATER_FOAM ? normal : (float3)0.0) + float3(0.0, 1.0, 0.0));
     float sun = ReceivedSun(world, 0.0, SHADOW_LIFT, _FluidReceived.z);
     output.colour = float4(FluidExposed(FluidDiffuse(_Color.rgb, lit, sun)) * cover, cover);
