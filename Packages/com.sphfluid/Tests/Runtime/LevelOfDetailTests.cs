@@ -192,6 +192,10 @@ namespace SphFluid.Tests
         {
             FluidSurfaceRenderer view = simulation.gameObject.AddComponent<FluidSurfaceRenderer>();
             FluidWhitewater whitewater = simulation.gameObject.AddComponent<FluidWhitewater>();
+            var mesh = rig.NewObject("Mesh").AddComponent<FluidSurfaceMesh>();
+            MeshRenderer unseen = mesh.gameObject.AddComponent<MeshRenderer>();
+            (unseen.sharedMaterial, unseen.enabled) = (new Material(rig.Profile.Shaders.Find("SPH Fluid/Surface")), false);
+            mesh.Simulation = simulation;
             yield return Frames(3);
             simulation.Paused = true;
             yield return Frames(5);
@@ -200,6 +204,7 @@ namespace SphFluid.Tests
             yield return Frames(8);
             long coarse = view.Status.Triangles;
             Assert.That(coarse, Is.InRange(0.4 * full, 0.75 * full), "8 cells in place of 11 along an edge");
+            Assert.That(mesh.Status.Triangles, Is.EqualTo(coarse), "as a mesh");
             Assert.That(whitewater.GpuBytes, Is.Not.Zero);
             simulation.Paused = false;
             Far(30f);
@@ -208,10 +213,12 @@ namespace SphFluid.Tests
             yield return Frames(4);
             Assert.That(view.Recordings, Is.EqualTo(made), "nothing is made");
             Assert.That(whitewater.GpuBytes, Is.Zero);
+            Assert.That(mesh.GetComponent<MeshFilter>().sharedMesh == null);
             Far(1f);
             yield return Frames(8);
             Assert.That(view.Recordings, Is.GreaterThan(made));
             Assert.That(view.Status.Triangles, Is.GreaterThan(1.5 * coarse));
+            Object.DestroyImmediate(mesh.gameObject);
             detail.Levels[0].CellFactor = 4f;
             Far(12f);
             yield return Frames(2);
