@@ -109,6 +109,24 @@ namespace SphFluid.Tests
             Assert.That(most - energy, Is.LessThan(5e-3 * 9.81 * Spacing), "J/kg: what its pressure held");
         }
 
+        // A speed of sound that rises is for what moves: what slept would burst.
+        [UnityTest]
+        public IEnumerator WakingWhileTheSpeedOfSoundRisesJoltsNothing()
+        {
+            yield return UntilFarEndSleeps();
+            float sound = simulation.Solver.Settings.SoundSpeed, fastest = 0f, highest = 0f;
+            for (int frame = 0; frame < 24; frame++)
+            {
+                stirrer.position = Spacing * new Vector3(-0.5f * Layers.x + 8f + 6f * Mathf.Sin(0.4f * frame), 4f, 0f); // over the water
+                if (frame == 12) simulation.AddImpulse(FarEnd, 0.1f, 0.01f * Vector3.up);
+                yield return null;
+                fastest = Mathf.Max(fastest, SimulationRig.Read(simulation).Where(IsFar).Max(p => p.VelT0.magnitude));
+                highest = Mathf.Max(highest, simulation.Solver.Settings.SoundSpeed);
+            }
+            Assert.That(highest, Is.GreaterThan(1.3f * sound), "m/s");
+            Assert.That(fastest, Is.GreaterThan(0f).And.LessThan(0.3f * Unit), "m/s");
+        }
+
         [UnityTest]
         public IEnumerator ASaveOfLiquidThatSleepsInPartsGoesOnAlike()
         {

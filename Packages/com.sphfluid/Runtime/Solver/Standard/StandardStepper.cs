@@ -97,6 +97,7 @@ namespace SphFluid
                 if (state.HasSleepers) Sleeping.RecordRest(cmd, state);
                 density.Record(cmd, state);
             }
+            if (state.HasSleepers) Sleeping.RecordSoftness(cmd, state);
             listed = state.List;
         }
 

@@ -10,8 +10,8 @@ namespace SphFluid
     /// </summary>
     internal sealed class SleepBricks : BufferSet
     {
-        /// <summary>BRICK_WORDS, BRICK_STATE and BRICK_ASLEEP in SleepParticles.compute.</summary>
-        public const int Words = 10, State = 6, Asleep = 2;
+        /// <summary>BRICK_WORDS, BRICK_STATE, BRICK_ASLEEP and BRICK_SOFTNESS in SleepParticles.compute.</summary>
+        public const int Words = 11, State = 6, Asleep = 2, Softness = 10;
 
         /// <summary>Boxes that keep bricks awake; what there is more is in the last.</summary>
         public const int MostBoxes = 64;
@@ -70,8 +70,20 @@ namespace SphFluid
         /// <summary>Whether those or the ones that are kept awake are.</summary>
         public bool WakesNow { get; private set; } = true;
 
-        /// <summary>The square of the speed of sound for which the densities of what sleeps are [m²/s²].</summary>
-        public float Stiffness { get; set; }
+        /// <summary>The square of the speed of sound at the last sort [m²/s²].</summary>
+        public float Stiffness { get; private set; }
+
+        /// <summary>Whether what wakes may be softer than what is awake.</summary>
+        public bool IsSoft { get; private set; }
+
+        /// <summary>Takes over the square of the speed of sound.</summary>
+        /// <returns>What it was over what it is.</returns>
+        public float TakeStiffness(float now)
+        {
+            float ratio = Stiffness > 0f ? Stiffness / now : 1f;
+            (Stiffness, IsSoft) = (now, IsSoft || ratio < 1f);
+            return ratio;
+        }
 
         /// <summary>Bricks wake with the next pass.</summary>
         /// <param name="all">All, or those that are kept awake.</param>

@@ -17,6 +17,7 @@ namespace SphFluid
         private static readonly int StillTime = Id("_StillTime");
         private static readonly int Slowing = Id("_Slowing");
         private static readonly int Softened = Id("_Softened");
+        private static readonly int Stiffening = Id("_Stiffening");
         private static readonly int RestDensity = Id("_RestDensity");
         private static readonly int SupportSquared = Id("_SupportSquared");
 
@@ -25,14 +26,16 @@ namespace SphFluid
 
         private static readonly int SleptStiffness = Id("_SleptStiffness");
 
-        private readonly ComputeKernel wake, mark, rest, count, judge, spread;
+        private readonly ComputeKernel wake, sum, mark, rest, soften, count, judge, spread;
 
         public SleepParticlesPass(FluidShaderSet shaders)
             : base(shaders, "SleepParticles")
         {
             wake = Kernel("WakeSleepers");
+            sum = Kernel("SumBricks");
             mark = Kernel("MarkSleepers");
             rest = Kernel("RestSleepers");
+            soften = Kernel("SoftenWoken");
             count = Kernel("CountSleepers");
             judge = Kernel("JudgeBricks");
             spread = Kernel("SpreadSleep");
@@ -44,9 +47,9 @@ namespace SphFluid
             SleepBricks bricks = state.Sleep;
             using (Sample(cmd))
             {
-                if (bricks.WakesNow) WakeBricks(cmd, state);
-                RecordMarks(cmd, state);
+                RecordSums(cmd, state);
                 RecordJudgement(cmd, state, bricks.SinceSort);
+                RecordMarks(cmd, state);
             }
             bricks.SinceSort = 0f;
         }
@@ -56,7 +59,7 @@ namespace SphFluid
         {
             using (Sample(cmd))
             {
-                WakeBricks(cmd, state);
+                RecordJudgement(cmd, state, 0f);
                 Bind(cmd, wake, state);
                 CellBindings.SetCells(cmd, wake, state);
                 wake.SetFloat(cmd, SupportSquared, state.Settings.SupportRadius * state.Settings.SupportRadius);
@@ -72,6 +75,7 @@ namespace SphFluid
             FluidSolverSettings settings = state.Settings;
             using (Sample(cmd))
             {
+                Bind(cmd, rest, state);
                 CellBindings.SetCells(cmd, rest, state);
                 rest.SetFloat(cmd, RestDensity, settings.RestDensity);
                 CellBindings.SetSuction(cmd, rest, settings);
@@ -85,6 +89,21 @@ namespace SphFluid
                 rest.SetOut(cmd, state.List.Densities);
                 rest.Set(cmd, state.Published.Counters);
                 rest.DispatchThreads(cmd, state.ParticleCount);
+            }
+        }
+
+        /// <summary>Behind a density pass: what woke is as soft as it was asleep, and stiffens.</summary>
+        public void RecordSoftness(CommandBuffer cmd, CellState state)
+        {
+            if (!state.Sleep.IsSoft) return;
+            using (Sample(cmd))
+            {
+                Bind(cmd, soften, state);
+                CellBindings.SetCells(cmd, soften, state);
+                soften.SetOut(cmd, state.Buffers.PositionTerms);
+                soften.Set(cmd, state.List.Counts);
+                soften.Set(cmd, state.Published.Counters);
+                AwakeGroups.Dispatch(cmd, soften, state);
             }
         }
 
@@ -104,10 +123,15 @@ namespace SphFluid
             }
         }
 
-        private void WakeBricks(CommandBuffer cmd, CellState state)
+        private void RecordSums(CommandBuffer cmd, CellState state)
         {
-            RecordJudgement(cmd, state, 0f);
-            state.Sleep.Woke();
+            Bind(cmd, sum, state);
+            CellBindings.SetCells(cmd, sum, state);
+            sum.Set(cmd, state.Buffers.Positions);
+            sum.Set(cmd, state.Buffers.Velocities);
+            sum.Set(cmd, state.Buffers.PositionTerms);
+            sum.Set(cmd, state.Published.Counters);
+            sum.DispatchThreads(cmd, state.ParticleCount);
         }
 
         private void RecordMarks(CommandBuffer cmd, CellState state)
@@ -116,10 +140,6 @@ namespace SphFluid
             Bind(cmd, mark, state);
             CellBindings.SetCells(cmd, mark, state);
             mark.SetFloat(cmd, Slowing, Mathf.Exp(-state.Sleep.SinceSort / rule.FadeTime));
-            float stiffness = state.Settings.SoundSpeed * state.Settings.SoundSpeed;
-            mark.SetFloat(cmd, Softened, state.Sleep.Stiffness > 0f ? state.Sleep.Stiffness / stiffness : 1f);
-            mark.SetFloat(cmd, RestDensity, state.Settings.RestDensity);
-            state.Sleep.Stiffness = stiffness;
             mark.SetOut(cmd, state.Buffers.Positions);
             mark.SetOut(cmd, state.Buffers.Velocities);
             mark.Set(cmd, state.Buffers.PositionTerms);
@@ -134,7 +154,8 @@ namespace SphFluid
             Bind(cmd, judge, state);
             CellBindings.SetCells(cmd, judge, state.Cells);
             var calm = new Vector3(Square(rule.JitterSpeed / unit), Square(rule.DriftSpeed / unit), Square(StillUnits));
-            judge.SetVector(cmd, CalmUnits, state.Sleep.AllWake ? -Vector3.one : calm);
+            if (state.Sleep.AllWake) calm = -Vector3.one;
+            judge.SetVector(cmd, CalmUnits, calm);
             judge.SetFloat(cmd, MostDrift, rule.MostDrift);
             judge.SetFloat(cmd, DriftTime, rule.DriftTime);
             judge.SetFloat(cmd, SinceSort, since);
@@ -142,7 +163,11 @@ namespace SphFluid
             judge.DispatchThreads(cmd, state.Sleep.Total);
             Bind(cmd, spread, state);
             DomainBindings.SetPeriodic(cmd, spread, state.Settings);
+            spread.SetVector(cmd, CalmUnits, calm);
+            spread.SetFloat(cmd, Softened, state.Sleep.TakeStiffness(Square(state.Settings.SoundSpeed)));
+            spread.SetFloat(cmd, Stiffening, Mathf.Exp(-since / rule.StillTime));
             spread.DispatchThreads(cmd, state.Sleep.Total);
+            state.Sleep.Woke();
         }
 
         private static void Bind(CommandBuffer cmd, ComputeKernel kernel, CellState state)

@@ -11,6 +11,9 @@ namespace SphFluid.Tests
     {
         private const float SinceSort = 0.4f; // s
 
+        // m/s, at each pass.
+        private static readonly float[] SoundSpeeds = { 12f, 12f, 15f, 21f, 18f, 24f };
+
         /// <summary>How the particles of a brick move, as parts of the rule's speeds.</summary>
         private enum Motion
         {
@@ -52,7 +55,10 @@ namespace SphFluid.Tests
                     StandardStateRig.Fill(state.Buffers.Velocities,
                         sorted.Select((p, i) => StandardStateRig.WithW(velocities[i], StandardStateRig.FromBits(p.Id))).ToArray());
                     bricks.SinceSort = SinceSort;
+                    double softened = pass == 0 ? 1.0 : Math.Pow(SoundSpeeds[pass - 1] / SoundSpeeds[pass], 2.0);
+                    state.Settings = settings.WithSoundSpeed(SoundSpeeds[pass]);
                     GpuTest.Run(cmd => new SleepParticlesPass(rig.Shaders).Record(cmd, state));
+                    expected.Judge(motions, softened);
 
                     Vector4[] places = GpuTest.Read<Vector4>(state.Buffers.Positions, count);
                     Vector4[] after = GpuTest.Read<Vector4>(state.Buffers.Velocities, count);
@@ -67,10 +73,14 @@ namespace SphFluid.Tests
                         Assert.That(((Vector3)after[i] - left * velocities[i]).magnitude, Is.LessThan(1e-6f), $"m/s, of state {was}");
                         Assert.That(StandardStateRig.ToBits(after[i].w), Is.EqualTo(sorted[i].Id));
                     }
-                    expected.Judge(motions);
                     uint[] words = GpuTest.Read<uint>(bricks.Bricks, bricks.Total * SleepBricks.Words);
                     int[] states = words.Where((_, i) => i % SleepBricks.Words == SleepBricks.State).Select(w => (int)w).ToArray();
                     Assert.That(states, Is.EqualTo(expected.States), $"behind pass {pass}");
+                    for (int b = 0; b < bricks.Total; b++)
+                    {
+                        float stiffness = 1f + StandardStateRig.FromBits(words[b * SleepBricks.Words + SleepBricks.Softness]);
+                        Assert.That(stiffness, Is.EqualTo(expected.Stiffness[b]).Within(1e-5), $"of {states[b]}, behind pass {pass}");
+                    }
                 }
                 if (count > 1000) Assert.That(Math.Min(slept, slowed), Is.GreaterThan(50), "of both there were some");
             }
@@ -103,10 +113,12 @@ namespace SphFluid.Tests
                 (this.bricks, this.rule, this.periodic, BrickOf) = (bricks, rule, periodic, brickOf);
                 calm = new double[bricks.Total];
                 States = new int[bricks.Total];
+                Stiffness = Enumerable.Repeat(1.0, bricks.Total).ToArray();
             }
 
             public int[] BrickOf { get; }
             public int[] States { get; }
+            public double[] Stiffness { get; }
 
             public static Vector3Int At(SleepBricks bricks, int brick) => new Vector3Int(
                 brick % bricks.Counts.x, brick / bricks.Counts.x % bricks.Counts.y, brick / bricks.Counts.x / bricks.Counts.y);
@@ -127,7 +139,7 @@ namespace SphFluid.Tests
                 }).ToArray();
             }
 
-            public void Judge(Motion[] motions)
+            public void Judge(Motion[] motions, double softened)
             {
                 double whole = rule.CalmTime + rule.StillTime;
                 for (int b = 0; b < calm.Length; b++)
@@ -142,7 +154,10 @@ namespace SphFluid.Tests
                 for (int b = 0; b < calm.Length; b++)
                 {
                     double least = Near(b).Min(n => calm[n]);
+                    double kept = Stiffness[b] * (States[b] == 2 ? softened : 1.0);
                     States[b] = least > whole - 1e-5 ? 2 : least > rule.CalmTime - 1e-5 ? 1 : 0;
+                    double stiffer = 1.0 + Math.Min(kept - 1.0, 0.0) * Math.Exp(-SinceSort / rule.StillTime);
+                    Stiffness[b] = States[b] == 2 ? kept : stiffer;
                 }
             }
 
