@@ -1,7 +1,8 @@
 // Two sizes of particle in a weakly compressible liquid: what an interface between sizes costs, with and without splits and merges.
 //   g++ -std=c++17 -O3 -march=native -fno-math-errno -o bench bench.cpp
-//   ./bench CASE key=value ...      CASE: count rest wave dam drop body header; keys: SetUp and the cases; README.md says what they are
-// One thread; double precision, with -DSINGLE -fsingle-precision-constant single. Units: fine spacing dx = 1, rho0 = 1, g = 1. A run prints one row of results.csv.
+//   ./bench CASE key=value ...      CASE: count rest wave dam drop body header; README.md says what the keys are
+// One thread; double precision, with -DSINGLE -fsingle-precision-constant single. Units: fine spacing dx = 1, rho0 = 1, g = 1. A run prints
+// one row of results.csv.
 #include "record.h"
 
 // Errors every twenty steps, and by the plain sum also just after splits and merges.
@@ -214,8 +215,8 @@ static void Sphere(const Options& o, Row& row) {
     // The way down, gone after so long: speed rises and falls within `ramp`.
     auto gone = [&](double t) {
         t = std::clamp<double>(t, 0, travel);
-        if (t > travel / 2) { double left = travel - t; return way - (left < ramp ? U * left * left / (2 * ramp) : U * (left - ramp / 2)); }
-        return t < ramp ? U * t * t / (2 * ramp) : U * (t - ramp / 2);
+        double s = std::min<double>(t, travel - t), part = s < ramp ? U * s * s / (2 * ramp) : U * (s - ramp / 2);
+        return t > travel / 2 ? way - part : part;
     };
     auto height = [&](double t) { return t < travel + hold ? top - gone(t) : top - way + gone(t - travel - hold); };
     Record record;
@@ -233,11 +234,6 @@ static void Sphere(const Options& o, Row& row) {
         record.Take(q, true);
         Measure(q, record, every);
         double force = (q.body.impulse.z - before) / q.dt;
-        if (o("trace", 0) > 0 && q.steps % 20 == 0) {
-            std::fprintf(stderr, "%.2f z %.2f force %.2f compressed %.2f rarefied %.2f body %.2f plain %.2f coarse %.2f n %d\n", t, q.body.at.z, mean, 100 * record.compressed,
-                100 * record.rarefied, 100 * record.bodyError, 100 * record.plain, nearest, q.Count());
-            if (o("trace", 0) > 1) record.compressed = record.rarefied = record.bodyError = record.plain = 0, nearest = 99;
-        }
         before = q.body.impulse.z;
         mean += std::min<double>(1, q.dt) * (force - mean);   // over 1 sqrt(dx/g)
         peak = std::max(peak, std::fabs(mean));
@@ -254,7 +250,8 @@ static void Sphere(const Options& o, Row& row) {
     }
     double lift = 4 * Pi / 3 * r * r * r;
     row("body_pc", 100 * record.bodyError); row("body_peak", peak / lift);
-    row("body_down", parts[0] / lift / lengths[0]); row("body_hold", parts[1] / lift / lengths[1]); row("body_up", parts[2] / lift / lengths[2]);
+    const char* names[3] = {"body_down", "body_hold", "body_up"};
+    for (int k = 0; k < 3; k++) row(names[k], parts[k] / lift / lengths[k]);
     if (design != "uniform") { row("coarse_near", double(near)); row("coarse_nearest", nearest); }
     record.Print(q, row);
     row("energy_end", (q.Energy() - record.energy0) / q.body.work);
@@ -265,7 +262,6 @@ static void Sphere(const Options& o, Row& row) {
 // the sizes between, each a lattice that fits its box.
 static void FillShells(Liquid& q, Vec size, double D, double walls, bool sides, bool floor) {
     Vec low{}, high = size;
-    auto inset = [&](Vec by, Vec byTop) { low += by; high = high - byTop; };
     for (int l = 0; l < 4; l++) {
         double s = q.Spacing(l);
         int n[3] = {int(std::lround((high.x - low.x) / s)), int(std::lround((high.y - low.y) / s)), int(std::lround((high.z - low.z) / s))};
@@ -275,7 +271,8 @@ static void FillShells(Liquid& q, Vec size, double D, double walls, bool sides, 
             bool shell = std::min(std::min(i, n[0] - 1 - i), std::min(j, n[1] - 1 - j)) < side || k < bottom || n[2] - 1 - k < top;
             if (shell || l == 3) q.Add({low.x + (i + .5) * edge.x, low.y + (j + .5) * edge.y, low.z + (k + .5) * edge.z}, {}, l);
         }
-        inset({side * edge.x, side * edge.y, bottom * edge.z}, {side * edge.x, side * edge.y, top * edge.z});
+        low += Vec{side * edge.x, side * edge.y, bottom * edge.z};
+        high = high - Vec{side * edge.x, side * edge.y, top * edge.z};
     }
 }
 
@@ -342,6 +339,13 @@ static void Count(const Options& o, Row& row) {
 int main(int count, char** words) {
     std::string kind = count > 1 ? words[1] : "";
     Options o(count, words);
+    bool asksFloat = o.Text("real", "double") == "float";
+#ifdef SINGLE
+    (void)asksFloat;
+    o.all["real"] = "float";
+#else
+    if (asksFloat) { std::fprintf(stderr, "bench: build it with -DSINGLE for real=float\n"); return 2; }
+#endif
     Row row;
     auto begin = std::chrono::steady_clock::now();
     if (kind == "rest") Rest(o, row);
@@ -359,9 +363,6 @@ int main(int count, char** words) {
     double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     row("wall_s", wall);
     std::string keys;
-#ifdef SINGLE
-    o.all["real"] = "float";
-#endif
     for (auto& [key, value] : o.all)
         if (!o.asked.count(key)) std::fprintf(stderr, "bench: %s has no use for %s\n", kind.c_str(), key.c_str());
     for (auto& [key, value] : o.all) keys += (keys.empty() ? "" : " ") + key + "=" + value;

@@ -55,12 +55,15 @@ inline void Liquid::Adapt(double at, double slack, int coarsest) {
         Split(i);
         groups.back().late = at - slack + (level[i] - 1) * bandStep - deep[i];
     }
+    vector<int> alone;
     for (int l = 0; l < coarsest; l++) {
         vector<int> ready;
         for (int i = 0; i < count; i++)
             if (level[i] == l && group[i] < 0 && deep[i] > at + slack + l * bandStep) ready.push_back(i);
         double edge = 2 * Spacing(l);
-        auto cell = [&](Vec p) { return std::array<int, 3>{int(std::floor(p.x / edge)), int(std::floor(p.y / edge)), int(std::floor(p.z / edge))}; };
+        auto cell = [&](Vec p) {
+            return std::array<int, 3>{int(std::floor(p.x / edge)), int(std::floor(p.y / edge)), int(std::floor(p.z / edge))};
+        };
         std::map<std::array<int, 3>, vector<int>> cells;
         for (int i : ready) cells[cell(x[i])].push_back(i);
         otherWork += ready.size();
@@ -81,6 +84,7 @@ inline void Liquid::Adapt(double at, double slack, int coarsest) {
                     if (j != i && group[j] < 0) near.push_back({Length(Separation(x[i], x[j])), j});
                 }
             }
+            if (deep[i] > at + slack + (l + 2) * bandStep) alone.push_back(i);
             if (int(near.size()) < arity - 1) continue;
             if (search && arity == 2) {
                 vector<std::pair<double, int>> best;
@@ -99,6 +103,7 @@ inline void Liquid::Adapt(double at, double slack, int coarsest) {
             groups.back().late = late;
         }
     }
+    if (dissolve && arity == 2) Dissolve(alone, deep);
     if (arrange > 0 || accept > 0 || settle > 0) Arrange(at - slack - 1.5, deep);
 }
 
@@ -108,8 +113,8 @@ inline void Liquid::Blend(vector<Real>* before) {
         g.step++;
         changed = true;
         double share = blend > 0 ? std::min<double>(1, double(g.step) / blend) : 1, toChildren = g.splits ? share : 1 - share;
-        m[g.parent] = Mass(level[g.parent]) * (1 - toChildren);
-        for (int k : g.children) m[k] = Mass(level[k]) * toChildren;
+        m[g.parent] = g.whole * (1 - toChildren);
+        for (size_t k = 0; k < g.children.size(); k++) m[g.children[k]] = g.parts[k] * toChildren;
     }
     vector<char> dead(Count(), 0);
     bool any = false;
@@ -156,7 +161,7 @@ inline vector<int> Liquid::Remove(const vector<char>& dead) {
 
 inline void Liquid::Split(int i) {
     int l = level[i] - 1;
-    Group g{i, 0, {}, true};
+    Group g{i, 0, {}, true, m[i], vector<Real>(arity, m[i] / arity)};
     Real half = (arity == 8 ? .5 : .63) * Spacing(l), floorRoom = 1e9;
     for (auto& w : walls) floorRoom = std::min(floorRoom, Dot(w.normal, x[i]) - w.offset);
     half = std::min(half, std::max<Real>(.1, floorRoom - .3 * Spacing(l)));
@@ -184,15 +189,55 @@ inline void Liquid::Split(int i) {
 
 inline void Liquid::Merge(const vector<int>& parts) {
     Vec centre{}, speed{};
-    Real share = 1 / Real(parts.size()), o = 0, r = 0, deep = 0;
+    Real whole = 0, o = 0, r = 0, deep = 0;
+    vector<Real> masses;
+    for (int k : parts) { whole += m[k]; masses.push_back(m[k]); }
     for (int k : parts) {
+        Real share = m[k] / whole;
         centre += share * Separation(x[k], x[parts[0]]); speed += share * v[k];
         o += share * offset[k]; r += share * rho[k]; deep += share * depth[k]; group[k] = 1;
     }
     int parent = Add(x[parts[0]] + centre, speed, level[parts[0]] + 1);
     m[parent] = 0; group[parent] = 1; offset[parent] = o; rho[parent] = r; depth[parent] = deep; born[parent] = time;
-    groups.push_back({parent, 0, parts, false});
+    groups.push_back({parent, 0, parts, false, whole, masses});
     merges++;
+}
+
+// What is left alone goes into the nearest particle of two sizes more: centre, mass and momentum stay, and what densities jump by is
+// carried. Masses of a size differ by up to a quarter then.
+inline void Liquid::Dissolve(const vector<int>& alone, vector<Real>& deep) {
+    vector<char> dead(Count(), 0), taken(Count(), 0);
+    vector<int> nearest(Count(), -1);
+    vector<Real> far(Count(), 1e9);
+    for (int i : alone) if (group[i] < 0) taken[i] = 1;
+    for (auto [i, j] : pairs) {
+        for (auto [p, q] : {Pair{i, j}, Pair{j, i}}) {
+            if (!taken[p] || group[q] >= 0 || level[q] < level[p] + 2 || m[p] + m[q] > 1.3 * Mass(level[q])) continue;
+            Real r = Length(Separation(x[p], x[q]));
+            if (r < far[p]) { far[p] = r; nearest[p] = q; }
+        }
+        otherWork += taken[i] + taken[j];
+    }
+    bool any = false;
+    for (int i : alone) if (taken[i] && nearest[i] >= 0) any = true;
+    if (!any) return;
+    vector<Real> before = DensityBefore();
+    for (int i : alone) {
+        int q = nearest[i];
+        if (!taken[i] || q < 0 || dead[i] || m[i] + m[q] > 1.3 * Mass(level[q])) continue;
+        Real share = m[i] / (m[i] + m[q]);
+        x[q] += share * Separation(x[i], x[q]);
+        v[q] += share * (v[i] - v[q]);
+        m[q] += m[i];
+        born[q] = time;
+        dead[i] = 1;
+        dissolved++;
+    }
+    vector<int> now = Remove(dead);
+    for (size_t i = 0; i < now.size(); i++) if (now[i] >= 0) before[now[i]] = before[i];
+    for (size_t i = 0; i < deep.size(); i++) if (now[i] >= 0) deep[now[i]] = deep[i];
+    Density();
+    for (int i = 0; i < Count(); i++) offset[i] += before[i] - rho[i];
 }
 
 // Densities as they are before masses pass, and those that what is new takes over.
@@ -220,8 +265,11 @@ inline void Liquid::Arrange(double overdue, const vector<Real>& deep) {
         for (size_t q = 0; q < groups.size(); q++) {
             auto& g = groups[q];
             if (g.step) continue;
-            m[g.parent] = g.splits ? 0 : Mass(level[g.parent]);
-            for (int k : g.children) { m[k] = g.splits ? Mass(level[k]) : 0; if (g.splits) owner[k] = int(q); }
+            m[g.parent] = g.splits ? 0 : g.whole;
+            for (size_t k = 0; k < g.children.size(); k++) {
+                m[g.children[k]] = g.splits ? g.parts[k] : 0;
+                if (g.splits) owner[g.children[k]] = int(q);
+            }
             if (!g.splits) owner[g.parent] = int(q);
         }
     };
@@ -247,16 +295,12 @@ inline void Liquid::Arrange(double overdue, const vector<Real>& deep) {
     }
     for (int round = 0; round < (settle > 0 ? 6 : 1); round++) {
         vector<Vec> unsettled = x;
-        vector<Real> aim = before;
-        if (settle > 0) {
-            if (smooth > 0) aim = Smoothed(before);
-            Settle(aim);
-        }
+        if (settle > 0) Settle(before);
         if (accept <= 0) break;
         Density();
         vector<double> worst(groups.size(), 0);
         vector<Real> change(Count());
-        for (int i = 0; i < Count(); i++) if (m[i] > 0) change[i] = std::fabs(rho[i] - (settle > 0 ? offset[i] : 0) - aim[i]);
+        for (int i = 0; i < Count(); i++) if (m[i] > 0) change[i] = std::fabs(rho[i] - (settle > 0 ? offset[i] : 0) - before[i]);
         auto worsen = [&](int i, int j) { if (owner[i] >= 0) worst[owner[i]] = std::max<double>(worst[owner[i]], change[j]); };
         for (int i = 0; i < Count(); i++) if (owner[i] >= 0) { worsen(i, i); otherWork += 50; }
         for (auto [i, j] : pairs)
@@ -265,7 +309,8 @@ inline void Liquid::Arrange(double overdue, const vector<Real>& deep) {
         bool any = false;
         for (size_t q = groups.size(); q-- > 0;) {
             auto& g = groups[q];
-            if (g.step || worst[q] < accept * (patience > 0 ? 1 + g.late / patience : 1) || (g.splits && deep[g.parent] < overdue)) continue;
+            double limit = accept * (patience > 0 ? 1 + g.late / patience : 1);
+            if (g.step || worst[q] < limit || (g.splits && deep[g.parent] < overdue)) continue;
             if (g.splits) { group[g.parent] = -1; for (int k : g.children) dead[k] = 1; splits--; }
             else { for (int k : g.children) group[k] = -1; dead[g.parent] = 1; merges--; }
             g.step = -1;
@@ -287,22 +332,6 @@ inline void Liquid::Arrange(double overdue, const vector<Real>& deep) {
     pairsSeen = seen;
 }
 
-// Densities, and by a share the mean of those round each.
-inline vector<Real> Liquid::Smoothed(const vector<Real>& of) {
-    vector<Real> sum(Count()), weight(Count()), out = of;
-    Density();
-    for (int i = 0; i < Count(); i++) { weight[i] = m[i] * W(0, Support(level[i])); sum[i] = weight[i] * of[i]; }
-    for (size_t k = 0; k < pairs.size(); k++) {
-        auto [i, j] = pairs[k];
-        if (slopeI[k] == 0) continue;
-        Real w = W(Length(direction[k]), PairSupport(level[i], level[j]));
-        sum[i] += m[j] * w * of[j]; weight[i] += m[j] * w;
-        sum[j] += m[i] * w * of[i]; weight[j] += m[i] * w;
-    }
-    for (int i = 0; i < Count(); i++) if (m[i] > 0 && depth[i] > 3) out[i] += smooth * (sum[i] / weight[i] - of[i]);
-    return out;
-}
-
 // Moves what lies within `rings` neighbourhoods of a change to where the sums of one more neighbourhood are the densities before it:
 // least squares by conjugate gradients, linearised anew three times. The common centre of what moves stays.
 inline void Liquid::Settle(const vector<Real>& before) {
@@ -315,7 +344,6 @@ inline void Liquid::Settle(const vector<Real>& before) {
             if (g.step) continue;
             if (g.splits) for (int k : g.children) ring[k] = 0; else ring[g.parent] = 0;
         }
-        if (spare > 0) for (int i = 0; i < Count(); i++) if (m[i] > 0 && std::fabs(offset[i]) > spare && depth[i] > 3) ring[i] = 0;
         for (int r = 0; r <= rings; r++)
             for (size_t k = 0; k < pairs.size(); k++) {
                 auto [i, j] = pairs[k];
@@ -328,8 +356,8 @@ inline void Liquid::Settle(const vector<Real>& before) {
         if (near.empty()) return;
         for (size_t k = 0; k < pairs.size(); k++) {
             auto [i, j] = pairs[k];
-            if (slopeI[k] != 0 && m[i] > 0 && m[j] > 0 && std::min(ring[i], ring[j]) <= rings && std::max(ring[i], ring[j]) <= rings + 1)
-                active.push_back(int(k));
+            int near = std::min(ring[i], ring[j]), far = std::max(ring[i], ring[j]);
+            if (slopeI[k] != 0 && m[i] > 0 && m[j] > 0 && near <= rings && far <= rings + 1) active.push_back(int(k));
         }
         auto moves = [&](int i) { return ring[i] <= rings; };
         // J: how densities answer to moves; its transpose over the masses

@@ -110,6 +110,8 @@ struct Group {
     int parent, step = 0;
     vector<int> children;
     bool splits;
+    Real whole = 0;                // mass of the parent
+    vector<Real> parts{};          // of the children
     double late = 0;               // how far beyond the depth at which it was due
 };
 
@@ -136,7 +138,7 @@ public:
     vector<Group> groups;
     double time = 0;
     Real dt = 0;
-    long steps = 0, pairsSeen = 0, otherWork = 0, splits = 0, merges = 0;
+    long steps = 0, pairsSeen = 0, otherWork = 0, splits = 0, merges = 0, dissolved = 0;
     bool stale = true;
 
     Real Spacing(int l) const {
@@ -284,7 +286,8 @@ public:
         if (stale) FindPairs();
         wallGradient.resize(Count());
         bodyGradient.resize(Count());
-        for (int i = 0; i < Count(); i++) rho[i] = m[i] * W(0, Support(level[i])) + WallDensity(x[i], level[i], wallGradient[i], bodyGradient[i]);
+        for (int i = 0; i < Count(); i++)
+            rho[i] = m[i] * W(0, Support(level[i])) + WallDensity(x[i], level[i], wallGradient[i], bodyGradient[i]);
         Real support[4], far2[4][4];
         for (int l = 0; l < 4; l++) support[l] = Support(l);
         for (int k = 0; k < 4; k++) for (int l = 0; l < 4; l++) far2[k][l] = std::pow(k == l ? support[k] : PairSupport(k, l), Real(2));
@@ -426,11 +429,10 @@ public:
     double compact = 1.35;         // how far from their centre eight parts of a merge may lie
     double lookAhead = 0;          // time for which the body's way is kept free of coarse particles
     double apart = 0;              // distance within which a sort changes one thing only; 0: all that are ready
+    bool dissolve = false;         // a fine particle that is left alone among coarse ones goes into the nearest
     double patience = 0;           // spacings by which a change is late when twice the error is accepted; 0: never more
     bool search = false;           // splits take the direction and distance, and merges the partner, of least error
     int settle = 0, rings = 1;     // moves of the neighbours too, and over how many neighbourhoods, to the densities before a change
-    double smooth = 0;             // how far these are the mean of what is round
-    double spare = 0;              // what carries more than this settles at every sort; 0: what is new alone
     void FindDepths();
     void Adapt(double at, double slack, int coarsest);
 
@@ -452,10 +454,10 @@ private:
     vector<int> Remove(const vector<char>& dead);
     void Split(int i);
     void Merge(const vector<int>& parts);
+    void Dissolve(const vector<int>& alone, vector<Real>& deep);
     vector<Real> DensityBefore();
     void Arrange(double overdue, const vector<Real>& deep);
     void Settle(const vector<Real>& before);
-    vector<Real> Smoothed(const vector<Real>& of);
     double ErrorOf(const vector<int>& from, const vector<Vec>& to, int l);
     void FindNeighbours();
     void Exchange();

@@ -31,7 +31,8 @@ static const char* const Columns[] = {"particles", "fine", "coarse", "pairs_per_
     "first_quarter", "decay_per_period", "front1", "front2", "front3", "fastest", "potential_end", "kinetic_end", "spin_kept", "energy_end",
     "compressed_pc", "rarefied_pc", "wall_pc", "young_pc", "young_sum_pc", "error_max_pc", "error_rms_pc", "offset_max_pc",
     "mass_error", "momentum_error", "energy_grown", "wall_s", "plain_pc", "plain_off_pc", "body_pc",
-    "body_down", "body_hold", "body_up", "body_peak", "coarse_near", "coarse_nearest", "listed", "candidates_one", "candidates_each"};
+    "body_down", "body_hold", "body_up", "body_peak", "coarse_near", "coarse_nearest", "dissolved", "listed",
+    "candidates_one", "candidates_each"};
 
 struct Row {
     std::map<std::string, double> values;
@@ -104,6 +105,7 @@ struct Record {
         row("particles", countSum / std::max<double>(1e-9, countTime)); row("steps_per_time", (q.steps - steps0) / t);
         row("pairs_per_time", (q.pairsSeen - pairs0) / t); row("other_per_time", (q.otherWork - work0) / t);
         row("splits", q.splits); row("merges", q.merges);
+        if (q.dissolve) row("dissolved", q.dissolved);
         row("compressed_pc", 100 * compressed); row("rarefied_pc", 100 * rarefied);
         row("wall_pc", 100 * wallCompressed); row("young_pc", 100 * youngError);
         row("young_sum_pc", 100 * youngSum);
@@ -171,11 +173,10 @@ static void SetUp(Liquid& q, const Options& o, const std::string& design) {
     q.compact = o("compact", 1.35);
     q.apart = o("apart", 0);
     q.patience = o("patience", 0);
+    q.dissolve = o("dissolve", 0) > 0;
     q.search = o("search", 0) > 0;
     q.settle = int(o("settle", 0));
     q.rings = int(o("rings", 1));
-    q.smooth = o("smooth", 0);
-    q.spare = o("spare", 0);
     q.lookAhead = o("ahead", 3);
 }
 
