@@ -1,180 +1,14 @@
 // Two sizes of particle in a weakly compressible liquid: what an interface between sizes costs, with and without splits and merges.
 //   g++ -std=c++17 -O3 -march=native -fno-math-errno -o bench bench.cpp
-//   ./bench CASE key=value ...      CASE: count rest wave dam drop header; keys: SetUp and the cases; README.md says what they are
-// One thread, double precision. Units: fine spacing dx = 1, rho0 = 1, g = 1. A run prints one row of results.csv.
-#include "liquid.h"
+//   ./bench CASE key=value ...      CASE: count rest wave dam drop body header; README.md says what the keys are
+// One thread; double precision, with -DSINGLE -fsingle-precision-constant single. Units: fine spacing dx = 1, rho0 = 1, g = 1. A run prints
+// one row of results.csv.
+#include "record.h"
 
-// ---------------------------------------------------------------------------------------------- options
-
-struct Options {
-    std::map<std::string, std::string> all;
-    mutable std::map<std::string, bool> asked;
-    Options(int count, char** words) {
-        for (int i = 2; i < count; i++) {
-            std::string word = words[i];
-            auto at = word.find('=');
-            if (at == std::string::npos) { std::fprintf(stderr, "%s: write key=value\n", words[i]); std::exit(2); }
-            all[word.substr(0, at)] = word.substr(at + 1);
-        }
-    }
-    double operator()(const char* key, double otherwise) const {
-        auto at = all.find(key);
-        asked[key] = true;
-        return at == all.end() ? otherwise : std::atof(at->second.c_str());
-    }
-    std::string Text(const char* key, const char* otherwise) const {
-        auto at = all.find(key);
-        asked[key] = true;
-        return at == all.end() ? otherwise : at->second;
-    }
-};
-
-// ---------------------------------------------------------------------------------------------- cases
-
-static const char* const Columns[] = {"particles", "fine", "coarse", "pairs_per_step", "fewest", "steps_per_time", "pairs_per_time",
-    "other_per_time", "splits", "merges", "start_error_pc", "slope", "height", "v_rms1", "v_rms2", "v_rms3", "v_rms4", "period_over_theory",
-    "first_quarter", "decay_per_period", "front1", "front2", "front3", "fastest", "potential_end", "kinetic_end", "spin_kept", "energy_end",
-    "compressed_pc", "rarefied_pc", "wall_pc", "young_pc", "young_sum_pc", "error_max_pc", "error_rms_pc", "offset_max_pc",
-    "mass_error", "momentum_error", "energy_grown", "wall_s"};
-
-struct Row {
-    std::map<std::string, double> values;
-    void operator()(const std::string& name, double value) { values[name] = value; }
-    void Print(const std::string& kind, const std::string& keys) const {
-        std::printf("%s,%s", kind.c_str(), keys.c_str());
-        for (auto name : Columns) {
-            auto at = values.find(name);
-            if (at == values.end()) std::printf(","); else std::printf(",%.5g", at->second);
-        }
-        std::printf("\n");
-    }
-};
-
-// What a run collects at every step or so, in every case.
-struct Record {
-    double energy0 = 0, energyMost = -1e300, mass0 = 0, massError = 0, momentumError = 0, offsetMost = 0;
-    double error = 0, errorRms = 0, errorWeight = 0, compressed = 0, rarefied = 0, wallCompressed = 0, youngError = 0, youngSum = 0;
-    Vec momentum0;
-    long steps0 = 0, pairs0 = 0, work0 = 0;
-    double time0 = 0;
-    double countSum = 0, countTime = 0;
-    void Start(const Liquid& q) {
-        energy0 = q.Energy(); mass0 = q.TotalMass(); momentum0 = q.Momentum();
-        steps0 = q.steps; pairs0 = q.pairsSeen; work0 = q.otherWork; time0 = q.time;
-    }
-    // The density error of what is deeper than three spacings and 4.5 from walls; hydrostatic is what c makes of a head, 0 without gravity.
-    void Take(const Liquid& q, bool gravityX) {
-        energyMost = std::max(energyMost, q.Energy());
-        massError = std::max(massError, std::fabs(q.TotalMass() / mass0 - 1));
-        double scale;
-        Vec p = q.Momentum(&scale), d = p - momentum0;
-        double lost = gravityX ? std::hypot(d.x, d.y) : Length(d);
-        if (scale > 0) momentumError = std::max(momentumError, lost / scale);
-        countSum += q.Count() * q.dt; countTime += q.dt;
-    }
-    void TakeErrors(const Liquid& q) {
-        for (int i = 0; i < q.Count(); i++) {
-            offsetMost = std::max(offsetMost, std::fabs(q.offset[i]));
-            if (q.buffer[i] || q.depth[i] < 3) continue;
-            double e = q.rho[i] - 1, off = e - q.gravity * q.depth[i] / (q.c * q.c);
-            if (q.youth > 0 && q.time < q.born[i] + q.youth) {
-                youngError = std::max(youngError, std::fabs(e));
-                youngSum = std::max(youngSum, std::fabs(e - q.offset[i]));
-            }
-            bool atWall = false;
-            for (auto& w : q.walls) atWall |= Dot(w.normal, q.x[i]) - w.offset < 4.5;
-            if (atWall) { wallCompressed = std::max(wallCompressed, e); continue; }
-            compressed = std::max(compressed, e); rarefied = std::max(rarefied, -e);
-            error = std::max(error, std::fabs(off));
-            errorRms += q.m[i] * off * off; errorWeight += q.m[i];
-        }
-    }
-    void Print(const Liquid& q, Row& row) const {
-        double t = q.time - time0;
-        row("particles", countSum / std::max(1e-9, countTime)); row("steps_per_time", (q.steps - steps0) / t);
-        row("pairs_per_time", (q.pairsSeen - pairs0) / t); row("other_per_time", (q.otherWork - work0) / t);
-        row("splits", q.splits); row("merges", q.merges);
-        row("compressed_pc", 100 * compressed); row("rarefied_pc", 100 * rarefied);
-        row("wall_pc", 100 * wallCompressed); row("young_pc", 100 * youngError);
-        row("young_sum_pc", 100 * youngSum);
-        row("error_max_pc", 100 * error); row("error_rms_pc", 100 * std::sqrt(errorRms / std::max(1e-30, errorWeight)));
-        row("offset_max_pc", 100 * offsetMost);
-        row("mass_error", massError); row("momentum_error", momentumError);
-    }
-};
-
-// A box of liquid of the design's sizes between the origin and `size`, compressed as at rest under its own weight.
-static void Fill(Liquid& q, const std::string& design, Vec size, double depth) {
-    auto layer = [&](double low, double high, int l, bool isBuffer) {
-        double s = q.Spacing(l);
-        int nx = int(std::lround(size.x / s)), ny = int(std::lround(size.y / s));
-        int nz = std::max(1, int(std::lround((high - low) * size.x * size.y / (s * s * s * nx * ny))));
-        for (int i = 0; i < nx; i++) for (int j = 0; j < ny; j++) for (int k = 0; k < nz; k++) {
-            double z = low + (k + .5) * (high - low) / nz;
-            z -= q.gravity * (size.z * z - z * z / 2) / (q.c * q.c);
-            q.buffer[q.Add({(i + .5) * size.x / nx, (j + .5) * size.y / ny, z}, {}, l)] = isBuffer;
-        }
-    };
-    double edge = size.z - depth;
-    if (design == "uniform") layer(0, size.z, 0, false);
-    else if (design == "coarse") layer(0, size.z, 1, false);
-    else if (design == "graded") {
-        // bands of two layers between the smallest and the largest: 1.26 and 1.59, as high as their lattices in this box need
-        double at = edge;
-        layer(at, size.z, 0, false);
-        for (int l = 1; l <= 2; l++) {
-            double s = q.Spacing(l);
-            int n = int(std::lround(size.x / s)) * int(std::lround(size.y / s));
-            double height = 2 * s * s * s * n / (size.x * size.y);
-            layer(at - height, at, l, false);
-            at -= height;
-        }
-        layer(0, at, 3, false);
-    } else {
-        layer(edge, size.z, 0, false);
-        layer(0, edge, 1, false);
-        if (design == "nested") {
-            layer(edge - q.buffers[0], edge, 0, true);
-            layer(edge, edge + q.buffers[1], 1, true);
-            q.nested = true;
-            q.border = edge - q.gravity * (size.z * edge - edge * edge / 2) / (q.c * q.c);
-        }
-    }
-}
-
-static void SetUp(Liquid& q, const Options& o, const std::string& design) {
-    std::string kernel = o.Text("kernel", "mean");
-    q.kernel = kernel == "max" ? PairKernel::Max : kernel == "average" ? PairKernel::Average : kernel == "own" ? PairKernel::Own
-                                                                                                               : PairKernel::Mean;
-    q.arity = design == "graded" || o("arity", 8) == 2 ? 2 : 8;
-    q.blend = int(o("blend", 10));
-    q.offsetTime = o("offset", 0);
-    q.viscosityRatio = o("nu", .001);
-    q.youth = o("youth", 0);
-    q.youthViscosity = o("youthnu", 30);
-    q.arrange = int(o("arrange", 0));
-    q.accept = o("accept", 0);
-    q.shift = o("shift", 0);
-    q.buffers[0] = o("buffer0", 3);
-    q.buffers[1] = o("buffer1", 6);
-    q.compact = o("compact", 1.35);
-}
-
-// Damps the liquid to rest; with offsets that never fade or fade slowly it starts from the density that rest has.
-static void Relax(Liquid& q, const Options& o, double height, double& t) {
-    if (q.offsetTime != 0 && o("start", 1) > 0) {
-        q.Density();
-        for (int i = 0; i < q.Count(); i++) {
-            if (q.x[i].z > height - 3) continue;
-            q.offset[i] = 1 + q.gravity * (height - q.x[i].z) / (q.c * q.c) - q.rho[i];
-        }
-    }
-    unsigned seed = unsigned(o("seed", 1));
-    auto random = [&] { seed = seed * 1664525u + 1013904223u; return (seed >> 8) / 8388608. - 1; };
-    for (int i = 0; i < q.Count(); i++) q.x[i] += (o("jitter", .1) * q.Spacing(q.level[i])) * Vec{random(), random(), random()};
-    q.damping = o("damp", .5) * q.c / height;
-    while (q.time < t) q.Step();
-    q.damping = 0;
+// Errors every twenty steps, and by the plain sum also just after splits and merges.
+static void Measure(Liquid& q, Record& record, int every) {
+    if (q.steps % 20 == 0) { q.FindDepths(); record.TakeErrors(q); }
+    if (q.steps % 20 == 0 || q.steps % every == 1) record.TakePlain(q);
 }
 
 static void Rest(const Options& o, Row& row) {
@@ -193,7 +27,7 @@ static void Rest(const Options& o, Row& row) {
     q.FindDepths();
     double start = 0;
     for (int i = 0; i < q.Count(); i++)
-        if (!q.buffer[i] && q.depth[i] > 3) start = std::max(start, std::fabs(q.rho[i] - 1 - q.depth[i] / (q.c * q.c)));
+        if (!q.buffer[i] && q.depth[i] > 3) start = std::max<double>(start, std::fabs(q.rho[i] - 1 - q.depth[i] / (q.c * q.c)));
     double relax = o("relax", 2) * std::sqrt(H), end = relax + o("T", 20) * std::sqrt(H);
     Relax(q, o, H, relax);
     Record record;
@@ -208,9 +42,8 @@ static void Rest(const Options& o, Row& row) {
         double sum = 0, mass = 0;
         for (int i = 0; i < q.Count(); i++) if (!q.buffer[i]) { sum += q.m[i] * Dot(q.v[i], q.v[i]); mass += q.m[i]; }
         speed[part] += std::sqrt(sum / mass) * q.dt; weights[part] += q.dt;
+        Measure(q, record, every);
         if (q.steps % 20) continue;
-        q.FindDepths();
-        record.TakeErrors(q);
         double centre = 0;
         for (int i = 0; i < q.Count(); i++) if (!q.buffer[i]) centre += q.m[i] / mass * q.x[i].z;
         top += 2 * centre; topWeight++;
@@ -255,7 +88,7 @@ static void Wave(const Options& o, Row& row) {
         if (dynamic && q.steps % every == 0) q.Adapt(D, o("slack", .7), q.arity == 2 ? 3 : 1);
         q.Step();
         record.Take(q, true);
-        if (q.steps % 20 == 0) { q.FindDepths(); record.TakeErrors(q); }
+        Measure(q, record, every);
         double sum = 0, weight = 0;
         for (int i = 0; i < q.Count(); i++) {
             if (q.buffer[i]) continue;
@@ -268,7 +101,7 @@ static void Wave(const Options& o, Row& row) {
             peaks.push_back(peak);
             peak = 0;
         }
-        peak = std::max(peak, std::fabs(now));
+        peak = std::max<double>(peak, std::fabs(now));
         before = now; at = t;
     }
     int n = int(zeros.size());
@@ -287,7 +120,7 @@ static void Dam(const Options& o, Row& row) {
     SetUp(q, o, design);
     q.c = 10 * std::sqrt(2 * H);
     q.period = {0, width, 0};
-    q.walls = {{{0, 0, 1}, 0}, {{1, 0, 0}, 0}, {{-1, 0, 0}, -L}};
+    q.walls = {{{0, 0, 1}, 0}, {{1, 0, 0}, 0}, {{-1, 0, 0}, Real(-L)}};
     Fill(q, "uniform", {B, width, H}, D);
     q.Density();
     q.Forces();
@@ -299,8 +132,8 @@ static void Dam(const Options& o, Row& row) {
         if (design != "uniform" && q.steps % every == 0) q.Adapt(D, o("slack", .7), q.arity == 2 ? 3 : 1);
         q.Step();
         record.Take(q, true);
-        if (q.steps % 20 == 0) { q.FindDepths(); record.TakeErrors(q); }
-        fastest = std::max(fastest, q.Fastest());
+        Measure(q, record, every);
+        fastest = std::max<double>(fastest, q.Fastest());
         least = std::min(least, double(q.Count()));
         for (int k = 0; k < 3; k++)
             if (front[k] == 0 && q.time > (k + 1) * .7 * std::sqrt(H)) {
@@ -353,7 +186,7 @@ static void Drop(const Options& o, Row& row) {
         if (design != "uniform" && q.steps % every == 0) q.Adapt(swung, o("slack", .7), q.arity == 2 ? 3 : 1);
         q.Step();
         record.Take(q, false);
-        if (q.steps % 20 == 0) { q.FindDepths(); record.TakeErrors(q); }
+        Measure(q, record, every);
     }
     spin = turning();
     row("spin_kept", spin / spin0);
@@ -362,7 +195,111 @@ static void Drop(const Options& o, Row& row) {
     row("energy_grown", (record.energyMost - record.energy0) / record.energy0);
 }
 
-// A pool of equal particles and of two sizes, as lattices: particles, and pairs that a step's two passes visit.
+// A sphere goes down into a pool at a given speed, stops at mid-depth, and comes up: fine particles are asked for round it.
+static void Sphere(const Options& o, Row& row) {
+    std::string design = o.Text("design", "uniform");
+    double H = o("H", 40), width = o("w", 44), D = o("D", 6), r = o("r", 4.5), U = o("U", .25) * std::sqrt(H), ramp = o("ramp", 3),
+        hold = o("hold", 10);
+    int every = int(o("every", 10));
+    bool dynamic = o("dynamic", 0) > 0;
+    Liquid q;
+    SetUp(q, o, design);
+    q.c = std::sqrt(H / o("eta", .01));
+    q.period = {width, width, 0};
+    q.walls = {{{0, 0, 1}, 0}};
+    Fill(q, design, {width, width, H}, D);
+    double relax = o("relax", 2) * std::sqrt(H), top = H + r + .5, way = top - H / 2, travel = way / U + ramp;
+    Relax(q, o, H, relax);
+    q.body.radius = r;
+    q.body.at = {width / 2, width / 2, top};
+    // The way down, gone after so long: speed rises and falls within `ramp`.
+    auto gone = [&](double t) {
+        t = std::clamp<double>(t, 0, travel);
+        double s = std::min<double>(t, travel - t), part = s < ramp ? U * s * s / (2 * ramp) : U * (s - ramp / 2);
+        return t > travel / 2 ? way - part : part;
+    };
+    auto height = [&](double t) { return t < travel + hold ? top - gone(t) : top - way + gone(t - travel - hold); };
+    Record record;
+    q.Density();
+    record.Start(q);
+    double begin = q.time, end = begin + 2 * travel + hold + o("after", 5), nearest = 1e9, peak = 0, mean = 0;
+    double parts[3] = {}, lengths[3] = {}, before = 0;
+    long near = 0;
+    while (q.time < end) {
+        double t = q.time - begin, next = .6 * q.Support(0) / (q.c + q.Fastest());
+        q.body.at.z = height(t);
+        q.body.speed = {0, 0, (height(t + next) - height(t)) / next};
+        if (dynamic && q.steps % every == 0) q.Adapt(D, o("slack", .7), q.arity == 2 ? 3 : 1);
+        q.Step();
+        record.Take(q, true);
+        Measure(q, record, every);
+        double force = (q.body.impulse.z - before) / q.dt;
+        before = q.body.impulse.z;
+        mean += std::min<double>(1, q.dt) * (force - mean);   // over 1 sqrt(dx/g)
+        peak = std::max(peak, std::fabs(mean));
+        int part = t < travel ? 0 : t < travel + hold ? 1 : 2;
+        if (part != 1 || t > travel + hold / 2) { parts[part] += force * q.dt; lengths[part] += q.dt; }
+        long close = 0;
+        for (int i = 0; i < q.Count(); i++) {
+            if (q.level[i] == 0) continue;
+            double d = q.BodyDistance(q.x[i]);
+            nearest = std::min(nearest, d);
+            close += d < 3;
+        }
+        near = std::max(near, close);
+    }
+    double lift = 4 * Pi / 3 * r * r * r;
+    row("body_pc", 100 * record.bodyError); row("body_peak", peak / lift);
+    const char* names[3] = {"body_down", "body_hold", "body_up"};
+    for (int k = 0; k < 3; k++) row(names[k], parts[k] / lift / lengths[k]);
+    if (design != "uniform") { row("coarse_near", double(near)); row("coarse_nearest", nearest); }
+    record.Print(q, row);
+    row("energy_end", (q.Energy() - record.energy0) / q.body.work);
+    row("energy_grown", (record.energyMost - record.energy0) / q.body.work);
+}
+
+// The box of a graded liquid whose top has D of fine particles, and whose sides and floor have `walls` of them: shells of two layers of
+// the sizes between, each a lattice that fits its box.
+static void FillShells(Liquid& q, Vec size, double D, double walls, bool sides, bool floor) {
+    Vec low{}, high = size;
+    for (int l = 0; l < 4; l++) {
+        double s = q.Spacing(l);
+        int n[3] = {int(std::lround((high.x - low.x) / s)), int(std::lround((high.y - low.y) / s)), int(std::lround((high.z - low.z) / s))};
+        Vec edge{(high.x - low.x) / n[0], (high.y - low.y) / n[1], (high.z - low.z) / n[2]};
+        int side = !sides ? 0 : l ? 2 : int(walls), bottom = !floor ? 0 : l ? 2 : int(walls), top = l ? 2 : int(D);
+        for (int i = 0; i < n[0]; i++) for (int j = 0; j < n[1]; j++) for (int k = 0; k < n[2]; k++) {
+            bool shell = std::min(std::min(i, n[0] - 1 - i), std::min(j, n[1] - 1 - j)) < side || k < bottom || n[2] - 1 - k < top;
+            if (shell || l == 3) q.Add({low.x + (i + .5) * edge.x, low.y + (j + .5) * edge.y, low.z + (k + .5) * edge.z}, {}, l);
+        }
+        low += Vec{side * edge.x, side * edge.y, bottom * edge.z};
+        high = high - Vec{side * edge.x, side * edge.y, top * edge.z};
+    }
+}
+
+// Particles that a search tests: in the 27 cells round each, of one grid with cells of the largest support; or in a grid a size with
+// cells of that size's support, where a particle looks in its own and in coarser grids, and a pair goes into both lists.
+static long Candidates(const Liquid& q, bool gridEach) {
+    int levels = 0;
+    for (int l : q.level) levels = std::max(levels, l + 1);
+    long sum = 0;
+    for (int b = gridEach ? 0 : levels - 1; b < levels; b++) {
+        double edge = q.Support(b);
+        std::map<std::array<int, 3>, std::pair<long, long>> cells;   // those that are in the grid, and those that look in it
+        for (int i = 0; i < q.Count(); i++) {
+            auto& cell = cells[{int(std::floor(q.x[i].x / edge)), int(std::floor(q.x[i].y / edge)), int(std::floor(q.x[i].z / edge))}];
+            cell.first += !gridEach || q.level[i] == b;
+            cell.second += q.level[i] <= b;
+        }
+        for (auto& [at, here] : cells)
+            for (int p = -1; p <= 1; p++) for (int r = -1; r <= 1; r++) for (int s = -1; s <= 1; s++) {
+                auto found = cells.find({at[0] + p, at[1] + r, at[2] + s});
+                if (found != cells.end()) sum += here.second * found->second.first;
+            }
+    }
+    return sum;
+}
+
+// A pool of equal particles and of two sizes, as lattices: particles, pairs that a step's two passes visit, and candidates of a search.
 static void Count(const Options& o, Row& row) {
     int X = int(o("X", 100)), Y = int(o("Y", 100)), Z = int(o("Z", 100));
     double D = o("D", 6);
@@ -377,24 +314,38 @@ static void Count(const Options& o, Row& row) {
         if (sides) d = std::min(std::min(d, std::min(x, X - x)), std::min(y, Y - y));
         return d < D;
     };
-    if (design == "graded" || design == "nested") {
-        q.period = {double(X), double(Y), 0};
-        Fill(q, design, {double(X), double(Y), double(Z)}, D);
+    if (design == "graded" && (sides || floorToo)) FillShells(q, Vec(X, Y, Z), D, o("walls", D), sides, floorToo);
+    else if (design == "graded" || design == "nested") {
+        q.period = Vec(X, Y, 0);
+        Fill(q, design, Vec(X, Y, Z), D);
     } else for (int i = 0; i + 1 < X; i += 2) for (int j = 0; j + 1 < Y; j += 2) for (int k = Z % 2; k + 1 < Z; k += 2) {
         if (design != "uniform" && !fine(i + 1, j + 1, k + 1)) { q.Add({i + 1., j + 1., k + 1.}, {}, 1); continue; }
         for (int e = 0; e < 8; e++) q.Add({i + .5 + (e & 1), j + .5 + (e >> 1 & 1), k + .5 + (e >> 2)}, {}, 0);
     }
+    if (o("jitter", 0) > 0) Jitter(q, o);
     q.Density();
     if (q.nested) q.InterpolateBuffers();
     long levels[4] = {};
     for (int l : q.level) levels[l]++;
     row("particles", q.Count()); row("fine", double(levels[0])); row("coarse", double(q.Count() - levels[0]));
     row("pairs_per_step", double(q.pairsSeen));
+    if (o("cells", 0) > 0) {
+        row("listed", double(q.pairsSeen) / 2);
+        row("candidates_one", double(Candidates(q, false)));
+        row("candidates_each", double(Candidates(q, true)));
+    }
 }
 
 int main(int count, char** words) {
     std::string kind = count > 1 ? words[1] : "";
     Options o(count, words);
+    bool asksFloat = o.Text("real", "double") == "float";
+#ifdef SINGLE
+    (void)asksFloat;
+    o.all["real"] = "float";
+#else
+    if (asksFloat) { std::fprintf(stderr, "bench: build it with -DSINGLE for real=float\n"); return 2; }
+#endif
     Row row;
     auto begin = std::chrono::steady_clock::now();
     if (kind == "rest") Rest(o, row);
@@ -402,12 +353,13 @@ int main(int count, char** words) {
     else if (kind == "dam") Dam(o, row);
     else if (kind == "drop") Drop(o, row);
     else if (kind == "count") Count(o, row);
+    else if (kind == "body") Sphere(o, row);
     else if (kind == "header") {
         std::printf("case,options");
         for (auto name : Columns) std::printf(",%s", name);
         std::printf("\n");
         return 0;
-    } else { std::fprintf(stderr, "bench: write count, rest, wave, dam, drop or header, then key=value\n"); return 2; }
+    } else { std::fprintf(stderr, "bench: write count, rest, wave, dam, drop, body or header, then key=value\n"); return 2; }
     double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     row("wall_s", wall);
     std::string keys;
