@@ -76,7 +76,8 @@ namespace SphFluid.Tests
             double crest = run.Crest(gauge, out double at), expected = awake.Crest(gauge, out double due);
             double half = run.Rise(gauge, 0.5 * expected), halfDue = awake.Rise(gauge, 0.5 * expected);
             double delay = run.DelayTo(awake, gauge);
-            Say($"| {name} | {Gauges[gauge]:0.00} | {crest:0.00} for {expected:0.00} | {at:0.000} for {due:0.000} | {half:0.000} for {halfDue:0.000} |");
+            Say($"{name} at {Gauges[gauge]:0.00}: crest {crest:0.00} for {expected:0.00} dx, at {at:0.000} for {due:0.000} s;");
+            Say($"half of its height at {half:0.000} for {halfDue:0.000} s;");
             Say($"shifted by {delay:0.0000} s, {100 * delay / due:0.00} % of the way");
         }
 
@@ -127,12 +128,14 @@ namespace SphFluid.Tests
                 List<double> wave = Heights[gauge];
                 for (int i = 1; i < wave.Count; i++)
                 {
-                    if (wave[i] >= height) return times[i - 1] + (times[i] - times[i - 1]) * (height - wave[i - 1]) / (wave[i] - wave[i - 1]);
+                    if (wave[i] < height) continue;
+                    double part = (height - wave[i - 1]) / (wave[i] - wave[i - 1]);
+                    return times[i - 1] + part * (times[i] - times[i - 1]);
                 }
                 return double.NaN;
             }
 
-            /// <summary>By how much this wave is later than another: the shift for which they differ least before their crests [s].</summary>
+            /// <summary>By how much this wave is later than another [s]: the shift for which they differ least until the crest.</summary>
             public double DelayTo(Run other, int gauge)
             {
                 other.Crest(gauge, out double crest);
