@@ -29,7 +29,7 @@ internal sealed class FxcBudget(string packageRoot)
         ["MoveParticles"] = 2420,
         // Planes of three turns, sums over edges with their Hessian, no more than half-spaces have; far triangles passed over; bodies that
         // stretch and float.
-        ["GatherWalls"] = 2580,
+        ["GatherWalls"] = 2640,
         ["ResolveContacts"] = 1830, // four kinds of bodies; those that deform are followed through a step; rectangles by the area they cover
         // A cell is found in a table of all or of those with particles, by each of the two that search.
         ["ConstrainDensity"] = 1400,

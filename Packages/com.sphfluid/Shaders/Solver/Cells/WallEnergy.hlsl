@@ -21,7 +21,6 @@
 groupshared float4 feltPlanes[WALL_PLANES * CELL_THREADS];
 groupshared uint feltBodies[WALL_PLANES * CELL_THREADS];
 groupshared float3 feltPushes[WALL_PLANES * CELL_THREADS];
-groupshared float3 feltProfiles[WALL_PLANES * CELL_THREADS];
 
 #define NO_BODY 0xffffffffu
 
@@ -229,36 +228,35 @@ Shadow Scaled(Shadow shadow, float factor)
     return shadow;
 }
 
-// Of a triangle's plane; zero for a face of the domain and for none.
-float3 NormalFelt(uint thread, uint plane)
-{
-    return feltBodies[FeltAt(thread, plane)] != NO_BODY ? feltPlanes[FeltAt(thread, plane)].xyz : float3(0.0, 0.0, 0.0);
-}
-
 // What is behind the planes of triangles as half-spaces: the sum less what two share, L0 L1 where they are square to each other and
 // sin^2 of it where they look against each other; a plane that looks the same way as a nearer one is hidden but for sin^2.
 // Worked example: two floors, one under the other, and a wall, each 1/2: 3/4. A wedge of 40 degrees: 0.90, by the angle 0.89.
 // pushes: what each plane has of the gradient.
 Shadow PlanesShadow(uint thread, out float3 pushes[WALL_PLANES])
 {
-    [loop] // one copy of the profile, not three
+    float3 normals[WALL_PLANES];
+    float3 values;
+    float3 slopes;
+    float3 bends;
+    [unroll]
     for (uint plane = 0u; plane < uint(WALL_PLANES); plane++)
     {
-        const uint at = FeltAt(thread, plane);
-        const Profile profile = ProfileAt(feltBodies[at] != NO_BODY ? feltPlanes[at].w * _InverseSupport : 1.0);
-        feltProfiles[at] = float3(profile.Value, profile.Slope, profile.Bend);
+        const bool isThere = feltBodies[FeltAt(thread, plane)] != NO_BODY; // else it is a face of the domain, or none
+        const float4 felt = feltPlanes[FeltAt(thread, plane)];
+        const Profile profile = ProfileAt(isThere ? felt.w * _InverseSupport : 1.0);
+        normals[plane] = isThere ? felt.xyz : float3(0.0, 0.0, 0.0);
+        values[plane] = profile.Value;
+        slopes[plane] = profile.Slope;
+        bends[plane] = profile.Bend;
     }
-    const float3 normals[WALL_PLANES] = { NormalFelt(thread, 0u), NormalFelt(thread, 1u), NormalFelt(thread, 2u) };
-    const float3x3 profiles = transpose(float3x3(feltProfiles[FeltAt(thread, 0u)], feltProfiles[FeltAt(thread, 1u)],
-        feltProfiles[FeltAt(thread, 2u)]));
     const float3 cosines = float3(dot(normals[1], normals[2]), dot(normals[2], normals[0]), dot(normals[0], normals[1]));
     const float3 sines2 = saturate(1.0 - cosines * cosines);
     const float3 hidden = cosines > 0.0 ? sines2 : float3(1.0, 1.0, 1.0);
     const float3 overlap = cosines > 0.0 ? float3(1.0, 1.0, 1.0) : sines2;
     const float3 inSight = float3(1.0, hidden.z, hidden.x * hidden.y);
-    const float3 values = profiles[0] * inSight;
-    const float3 slopes = profiles[1] * inSight;
-    const float3 bends = profiles[2] * inSight;
+    values *= inSight;
+    slopes *= inSight;
+    bends *= inSight;
     const float ofAll = overlap.x * overlap.y * overlap.z;
     const float3 pairs = overlap - ofAll * values; // of two planes, by the third
     const float3 rates = 1.0 - overlap.yzx * values.zxy - pairs.zxy * values.yzx;
