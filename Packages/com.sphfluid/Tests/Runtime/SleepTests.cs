@@ -155,6 +155,29 @@ namespace SphFluid.Tests
         };
 
         // 0.2 m wide and 0.12 m deep, 75 particles.
+        // As beside the cup of the sample Pour and Fill.
+        [UnityTest]
+        public IEnumerator ADropThatSlidesOverTheFloorKeepsLiquidAwakeUntilFrictionHoldsIt()
+        {
+            FluidSimulation simulation = Pool();
+            simulation.DomainSize = new Vector3(0.6f, 0.3f, 0.2f);
+            simulation.GetComponentInChildren<FluidVolume>().transform.localPosition = new Vector3(-0.2f, -0.09f, 0f);
+            GameObject wall = rig.NewObject("Wall");
+            wall.AddComponent<BoxCollider>().size = new Vector3(0.1f, 0.4f, 0.3f);
+            wall.transform.position = new Vector3(-0.05f, 0f, 0f);
+            FluidVolume drop = rig.AddVolume(simulation, "Drop");
+            drop.Size = simulation.Spacing * Vector3.one;
+            drop.transform.localPosition = new Vector3(0.16f, -0.13f, 0f);
+            simulation.VelocityField = position => position.x > 0f ? new Vector3(0.04f, 0f, 0.02f) : Vector3.zero;
+            while (simulation.SimulatedTime < 6.0)
+            {
+                yield return null;
+                Assert.That(simulation.IsAsleep, Is.False);
+            }
+            simulation.Boundaries = new FluidBoundaries { Friction = 1f };
+            yield return UntilAsleep(simulation);
+        }
+
         private FluidSimulation Pool(string name = "Pool", Vector3 position = default)
         {
             FluidSimulation simulation = rig.Create(name, false, position);

@@ -15,11 +15,30 @@
 #define EDGES_DEEP_AHEAD 32u
 #define EDGES_SURFACE 8u
 
-// Of what the triangles of a plane's wall add; for bodies and for rectangles that measure.
-struct WallShares
+// The planes that each thread has found, those of the same turn side by side: normal towards the particle, zero for none, and distance [m];
+// the body, NO_BODY for a face of the domain; and what its wall has of the gradient, for bodies and for rectangles that measure. Here they
+// cost no registers in the loops over triangles.
+groupshared float4 feltPlanes[WALL_PLANES * CELL_THREADS];
+groupshared uint feltBodies[WALL_PLANES * CELL_THREADS];
+groupshared float3 feltPushes[WALL_PLANES * CELL_THREADS];
+
+#define NO_BODY 0xffffffffu
+
+uint FeltAt(uint thread, uint plane)
 {
-    float3 Push[WALL_PLANES];
-};
+    return plane * CELL_THREADS + thread;
+}
+
+void FeelNothing(uint thread)
+{
+    [unroll]
+    for (uint k = 0u; k < uint(WALL_PLANES); k++)
+    {
+        feltPlanes[FeltAt(thread, k)] = float4(0.0, 0.0, 0.0, 1.0 / _InverseSupport);
+        feltBodies[FeltAt(thread, k)] = NO_BODY;
+        feltPushes[FeltAt(thread, k)] = float3(0.0, 0.0, 0.0);
+    }
+}
 
 // Of the domain: it stands for triangles that lie in it or behind it.
 #define FACE_TOLERANCE 0.05 // dx
@@ -209,14 +228,79 @@ Shadow Scaled(Shadow shadow, float factor)
     return shadow;
 }
 
-// The triangles of all bodies: a surface is seen from the side that the particle is on. Of its other side what belongs to a deep solid ends
-// the solid and takes away what is behind it, so that round an edge nothing comes or goes at once; the back of a thin plate is left out.
-// planes: unit normals towards the particle; owners: their bodies. shares: of the gradient, to the plane of the body that looks most along
-// it.
-Shadow TriangleShadow(uint thread, float3 position, float3 planes[WALL_PLANES], uint owners[WALL_PLANES], inout WallShares shares)
+// What is behind the planes of triangles as half-spaces: the sum less what two share, L0 L1 where they are square to each other and
+// sin^2 of it where they look against each other; a plane that looks the same way as a nearer one is hidden but for sin^2.
+// Worked example: two floors, one under the other, and a wall, each 1/2: 3/4. A wedge of 40 degrees: 0.90, by the angle 0.89.
+// pushes: what each plane has of the gradient.
+Shadow PlanesShadow(uint thread, out float3 pushes[WALL_PLANES])
+{
+    float3 normals[WALL_PLANES];
+    float3 values;
+    float3 slopes;
+    float3 bends;
+    [unroll]
+    for (uint plane = 0u; plane < uint(WALL_PLANES); plane++)
+    {
+        const bool isThere = feltBodies[FeltAt(thread, plane)] != NO_BODY; // else it is a face of the domain, or none
+        const float4 felt = feltPlanes[FeltAt(thread, plane)];
+        const Profile profile = ProfileAt(isThere ? felt.w * _InverseSupport : 1.0);
+        normals[plane] = isThere ? felt.xyz : float3(0.0, 0.0, 0.0);
+        values[plane] = profile.Value;
+        slopes[plane] = profile.Slope;
+        bends[plane] = profile.Bend;
+    }
+    const float3 cosines = float3(dot(normals[1], normals[2]), dot(normals[2], normals[0]), dot(normals[0], normals[1]));
+    const float3 sines2 = saturate(1.0 - cosines * cosines);
+    const float3 hidden = cosines > 0.0 ? sines2 : float3(1.0, 1.0, 1.0);
+    const float3 overlap = cosines > 0.0 ? float3(1.0, 1.0, 1.0) : sines2;
+    const float3 inSight = float3(1.0, hidden.z, hidden.x * hidden.y);
+    values *= inSight;
+    slopes *= inSight;
+    bends *= inSight;
+    const float ofAll = overlap.x * overlap.y * overlap.z;
+    const float3 pairs = overlap - ofAll * values; // of two planes, by the third
+    const float3 rates = 1.0 - overlap.yzx * values.zxy - pairs.zxy * values.yzx;
+    Shadow shadow = (Shadow)0;
+    shadow.Value = values.x + values.y + values.z - dot(overlap, values.yzx * values.zxy) + ofAll * values.x * values.y * values.z;
+    [unroll]
+    for (uint k = 0u; k < uint(WALL_PLANES); k++)
+    {
+        const uint next = (k + 1u) % uint(WALL_PLANES);
+        const uint last = (k + 2u) % uint(WALL_PLANES);
+        pushes[k] = rates[k] * slopes[k] * normals[k];
+        shadow.Gradient += pushes[k];
+        AddProduct(shadow, rates[k] * bends[k], normals[k], normals[k]);
+        AddProduct(shadow, -2.0 * pairs[k] * slopes[next] * slopes[last], normals[next], normals[last]);
+    }
+    return shadow;
+}
+
+// Surfaces that overlap hide each other, which their sum does not know: it is no more than what the planes have that are felt, and no less
+// than what one surface has by itself. most: the largest of the surfaces.
+Shadow Bounded(uint thread, Shadow sum, float most)
+{
+    float3 pushes[WALL_PLANES];
+    const Shadow planes = PlanesShadow(thread, pushes);
+    const float excess = sum.Value - planes.Value;
+    const float kept = excess > 0.0 ? saturate((most - planes.Value) / max(excess, 1e-6)) : 1.0; // of the excess
+    Shadow shadow = Scaled(planes, 1.0 - kept);
+    Add(shadow, Scaled(sum, kept));
+    [unroll]
+    for (uint k = 0u; k < uint(WALL_PLANES); k++)
+    {
+        feltPushes[FeltAt(thread, k)] = lerp(pushes[k], feltPushes[FeltAt(thread, k)], kept);
+    }
+    return shadow;
+}
+
+// Of the triangles of all bodies. A surface is seen from the side that the particle is on: of its other side what belongs to a deep solid
+// ends the solid and takes away what is behind it, so that round an edge nothing comes or goes at once; the back of a thin plate is left
+// out. Each triangle's push is that of the plane of its body that looks most along it.
+Shadow TriangleShadow(uint thread, float3 position)
 {
     Shadow sum = (Shadow)0;
     uint word = 0u;
+    float most = 0.0;
     [loop]
     for (uint b = 0u; b < BodyCount(); b++)
     {
@@ -233,6 +317,7 @@ Shadow TriangleShadow(uint thread, float3 position, float3 planes[WALL_PLANES], 
         {
             uint end;
             const float side = SideOf(pose, moves, near, begin, end, position);
+            const float before = sum.Value;
             [loop]
             for (uint t = NextNear(near, begin); t < (side != 0.0 ? end : begin); t = NextNear(near, t + 1u))
             {
@@ -255,18 +340,20 @@ Shadow TriangleShadow(uint thread, float3 position, float3 planes[WALL_PLANES], 
                     [unroll]
                     for (uint k = 0u; k < uint(WALL_PLANES); k++)
                     {
-                        along[k] = dot(planes[k], n) + (owners[k] == b ? 4.0 : 0.0);
+                        along[k] = dot(feltPlanes[FeltAt(thread, k)].xyz, n) + (feltBodies[FeltAt(thread, k)] == b ? 4.0 : 0.0);
                     }
-                    const uint most = along.x >= along.y && along.x >= along.z ? 0u : along.y >= along.z ? 1u : 2u;
-                    [unroll]
-                    for (uint p = 0u; p < uint(WALL_PLANES); p++)
-                    {
-                        shares.Push[p] += p == most ? part.Gradient : float3(0.0, 0.0, 0.0);
-                    }
+                    const uint plane = along.x >= along.y && along.x >= along.z ? 0u : along.y >= along.z ? 1u : 2u;
+                    feltPushes[FeltAt(thread, plane)] += part.Gradient;
                 }
             }
+            most = max(most, sum.Value - before);
             begin = end;
         }
+    }
+    [branch]
+    if (sum.Value > most)
+    {
+        sum = Bounded(thread, sum, most);
     }
     return sum;
 }
@@ -274,7 +361,7 @@ Shadow TriangleShadow(uint thread, float3 position, float3 planes[WALL_PLANES], 
 bool _HasMirrors; // the faces of the domain: images stand for them
 
 // With the faces of the domain. faces: what they have of the gradient. holds: the Hessian is that of the whole.
-Shadow WithFaces(Shadow mesh, float3 position, inout WallShares shares, out float3 faces, out bool holds)
+Shadow WithFaces(uint thread, Shadow mesh, float3 position, out float3 faces, out bool holds)
 {
     holds = true;
     const float steep = max(length(mesh.Gradient), 1e-6);
@@ -325,8 +412,8 @@ Shadow WithFaces(Shadow mesh, float3 position, inout WallShares shares, out floa
     [unroll]
     for (uint k = 0u; k < uint(WALL_PLANES); k++)
     {
-        shares.Push[k] *= left;
-        faces -= shares.Push[k];
+        feltPushes[FeltAt(thread, k)] *= left;
+        faces -= feltPushes[FeltAt(thread, k)];
     }
     return whole;
 }

@@ -17,7 +17,7 @@ namespace SphFluid.Tests
         private static readonly FluidSolverSettings Settings = BodyRig.Water(2f * Half * Vector3.one, Spacing, 0.3f);
 
         // In the middle of the floor but where another place is named; at the corner of the domain three faces are in reach.
-        public enum Place { FlatRamp, SteepRamp, Overhang, Shelf, Post, Chamfer, Gutter, Film, HighRamp }
+        public enum Place { FlatRamp, SteepRamp, Overhang, Shelf, Post, Chamfer, Gutter, Film, HighRamp, Overlap }
 
         private static readonly Vector3 Corner = new Vector3(-Half, -Half, -Half), Floor = new Vector3(0.03f, -Half, 0.02f);
 
@@ -58,6 +58,12 @@ namespace SphFluid.Tests
                 case Place.Film:
                     return (Quad(-0.4f * new Vector3(1f, 0.3f, 1f), 0.8f * new Vector3(1f, 0.3f, 0f), 0.8f * Vector3.forward).ToArray(),
                         0.05f * Spacing * Vector3.up, new Vector3(-0.3f, 1f, 0f));
+                case Place.Overlap: // two floors, one under the other, and a wall that goes through both
+                    Vector3 low = new Vector3(-0.3f, 0f, -0.4f);
+                    IEnumerable<Vector3> floor = Quad(low, 0.8f * Vector3.forward, 0.8f * Vector3.right);
+                    return (floor.Concat(floor.Select(p => p + 0.3f * Spacing * Vector3.down))
+                        .Concat(Quad(new Vector3(0f, -0.3f, -0.4f), 0.8f * Vector3.up, 0.8f * Vector3.forward)).ToArray(),
+                        Spacing * new Vector3(1.3f, 1.3f, 0f), new Vector3(1f, 1f, 0f));
                 default:
                     Vector3 bed = new Vector3(0f, 0.1f, 0f);
                     return (Quad(bed, 0.5f * new Vector3(1f, 0.6f, 0.1f), 0.6f * Vector3.forward)

@@ -148,15 +148,15 @@ namespace SphFluid.Tests
             Assert.That(mean, Is.LessThan(most));
         }
 
-        // A plate, and between it and the particle a sheet of its own that runs the other way round: each is seen from its own side.
+        // A plate, and beside it a sheet of its own that runs the other way round and is nearer: each is seen from its own side.
         [Test]
         public void ASurfaceThatIsNearerTurnsNoOther([Values] bool sheetFirst)
         {
             Vector3 At(float x, float y, float z) => Spacing * new Vector3(x, y, z);
-            TriangleMesh box = TriangleMesh.Box(Matrix4x4.TRS(At(0f, 0.25f, 0f), Quaternion.identity, At(8f, 0.3f, 8f)));
+            TriangleMesh box = TriangleMesh.Box(Matrix4x4.TRS(At(4.1f, 0.25f, 0f), Quaternion.identity, At(8f, 0.3f, 8f)));
             Vector3[] plate = box.Indices.Select(i => box.Vertices[i]).ToArray();
-            Vector3[] sheet = { At(-3f, 0.7f, -3f), At(3f, 0.7f, -3f), At(0f, 0.7f, 5f) };
-            var point = At(0.1f, 1f, 0.2f);
+            Vector3[] sheet = { At(-4f, 0.5f, -3f), At(0f, 0.5f, -3f), At(-4f, 0.5f, 5f) };
+            var point = At(-0.1f, 1f, 0f);
             double Share(IEnumerable<Vector3> corners) =>
                 ShadowReference.Share(point, corners.Select(c => (Double3)c).ToArray(), Settings.SupportRadius, Spacing);
             double expected = Share(plate) + Share(sheet.Reverse());
@@ -164,6 +164,37 @@ namespace SphFluid.Tests
             Assert.That(Share(plate), Is.GreaterThan(0.02));
             StoredWall wall = Gather((sheetFirst ? sheet.Concat(plate) : plate.Concat(sheet)).ToList(), new[] { point })[0];
             Assert.That(wall.Value, Is.EqualTo(expected).Within(1e-3));
+        }
+
+        private static IEnumerable<Vector3> Box(Vector3 low, Vector3 high)
+        {
+            TriangleMesh box = TriangleMesh.Box(Matrix4x4.TRS(0.5f * Spacing * (low + high), Quaternion.identity, Spacing * (high - low)));
+            return box.Indices.Select(i => box.Vertices[i]);
+        }
+
+        private static readonly Vector3 Low = new Vector3(-6f, -6f, -6f), High = new Vector3(6f, 0f, 6f), Tall = new Vector3(0f, 6f, 6f);
+
+        // What is behind a floor is hidden by it, be it a floor further down or the foot of a wall; what stands beside it is not.
+        [Test]
+        public void WhatOverlapsCountsOnce()
+        {
+            Vector3[] over = Enumerable.Range(0, 12).Select(i => Spacing * new Vector3(1.2f + 0.2f * i, 0.15f + 0.08f * i, 0.3f)).ToArray();
+            Vector3 down = 0.3f * Vector3.up;
+            StoredWall[] floor = Gather(Box(Low, High).ToList(), over),
+                floors = Gather(Box(Low, High).Concat(Box(Low, High - down)).ToList(), over),
+                corner = Gather(Box(Low, High).Concat(Box(Low, Tall)).ToList(), over),
+                all = Gather(Box(Low, High).Concat(Box(Low, High - down)).Concat(Box(Low, Tall)).ToList(), over),
+                tiles = Gather(Box(Low, new Vector3(1.5f, 0f, 6f)).Concat(Box(new Vector3(1.5f, -6f, -6f), High)).ToList(), over);
+            double Plane(double d) => ShadowReference.Plane(d, Settings.SupportRadius, Spacing);
+            for (int i = 0; i < over.Length; i++)
+            {
+                double own = Plane(over[i].y), side = Plane(over[i].x);
+                Assert.That(floors[i].Value, Is.EqualTo(floor[i].Value).Within(2e-3), $"at {over[i]}");
+                Assert.That((floors[i].Push - floor[i].Push).Length, Is.LessThan(0.02 / Spacing), $"at {over[i]}");
+                Assert.That(corner[i].Value, Is.EqualTo(own + side - own * side).Within(5e-3), $"at {over[i]}");
+                Assert.That(all[i].Value, Is.EqualTo(corner[i].Value).Within(2e-3), $"at {over[i]}");
+                Assert.That(tiles[i].Value, Is.EqualTo(floor[i].Value).Within(5e-3), $"at {over[i]}");
+            }
         }
 
         // What is seen edge-on hides next to nothing: where a particle crosses the plane of a triangle beside it, and sees the other side

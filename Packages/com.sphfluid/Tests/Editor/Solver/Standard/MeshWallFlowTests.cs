@@ -77,6 +77,41 @@ namespace SphFluid.Tests
             }
         }
 
+        // A floor, a second one under it, and four walls that go through each other and through both.
+        [Test]
+        public void APoolInATankOfBoxesThatOverlapRests()
+        {
+            var counts = new Vector3Int(9, 6, 8);
+            Vector3 size = Spacing * (Vector3)counts;
+            FluidSolverSettings settings = BodyRig.Water(size + 12f * Spacing * Vector3.one, Spacing, size.y);
+            using (var rig = new BodyRig(settings))
+            {
+                void Wall(Vector3 centre, Vector3 wide) => rig.AddBox(wide).localPosition = centre;
+                float thick = 4f * Spacing;
+                Vector3 all = size + 2f * thick * Vector3.one;
+                foreach (float down in new[] { 0f, 0.3f * Spacing })
+                {
+                    Wall(-0.5f * (size.y + thick + 2f * down) * Vector3.up, new Vector3(all.x, thick, all.z));
+                }
+                foreach (float side in new[] { -1f, 1f })
+                {
+                    Wall(0.5f * side * (size.x + thick) * Vector3.right, new Vector3(thick, all.y, all.z));
+                    Wall(0.5f * side * (size.z + thick) * Vector3.forward, new Vector3(all.x, all.y, thick));
+                }
+                rig.Start(Block(counts, -0.5f * size));
+                int steps = (int)(4f / settings.TimeStep / 40f);
+                for (int part = 0; part < 40; part++) rig.Frame(steps);
+                FluidParticle[] end = rig.Particles();
+                double speed = Math.Sqrt(end.Average(p => (double)p.VelT0.sqrMagnitude));
+                string figures = $"v_rms {speed:f4} m/s, fastest {end.Max(p => p.VelT0.magnitude):f3}, mean height " +
+                    $"{(end.Average(p => p.Position.y) + 0.5f * size.y) / Spacing:f3} dx";
+                TestContext.WriteLine(figures);
+                Assert.That(end.All(p => Mathf.Abs(p.Position.x) < 0.5f * size.x && Mathf.Abs(p.Position.z) < 0.5f * size.z &&
+                    p.Position.y > -0.5f * size.y), figures);
+                Assert.That(speed, Is.LessThan(0.012), figures);
+            }
+        }
+
         [TestCase(0.1f, false)]
         [TestCase(2f, false)]
         [TestCase(1f, true)]
