@@ -91,13 +91,14 @@ namespace SphFluid
                     isKept && !state.Bodies.IsUnderWay);
             }
 
-            if (listed == state.List) density.RecordListed(cmd, state, isKept ? state.Buffers.NewPositions : state.Buffers.Positions);
+            bool isListed = listed == state.List;
+            if (isListed) density.RecordListed(cmd, state, isKept ? state.Buffers.NewPositions : state.Buffers.Positions);
             else
             {
                 if (state.HasSleepers) Sleeping.RecordRest(cmd, state);
                 density.Record(cmd, state);
             }
-            if (state.HasSleepers) Sleeping.RecordSoftness(cmd, state);
+            if (state.HasSleepers) Sleeping.RecordSoftness(cmd, state, !isListed);
             listed = state.List;
         }
 

@@ -46,10 +46,20 @@ namespace SphFluid
         /// <summary>Records a dispatch over the groups with a particle that is awake.</summary>
         public static void Dispatch(CommandBuffer cmd, ComputeKernel kernel, CellState state)
         {
-            bool areLeftOut = AreLeftOut(state);
-            kernel.SetInt(cmd, ListBegin, areLeftOut ? FirstList(state) : state.Buffers.GroupLists.Begin);
-            if (areLeftOut) kernel.DispatchIndirect(cmd, state.Sleep.Groups.arguments);
-            else kernel.DispatchThreads(cmd, state.ParticleCount);
+            if (!AreLeftOut(state))
+            {
+                DispatchAll(cmd, kernel, state);
+                return;
+            }
+            kernel.SetInt(cmd, ListBegin, FirstList(state));
+            kernel.DispatchIndirect(cmd, state.Sleep.Groups.arguments);
+        }
+
+        /// <summary>Records a dispatch over all groups.</summary>
+        public static void DispatchAll(CommandBuffer cmd, ComputeKernel kernel, CellState state)
+        {
+            kernel.SetInt(cmd, ListBegin, state.Buffers.GroupLists.Begin);
+            kernel.DispatchThreads(cmd, state.ParticleCount);
         }
 
         /// <summary>Records a dispatch over the others.</summary>

@@ -73,7 +73,7 @@ namespace SphFluid
         /// <summary>The square of the speed of sound at the last sort [m²/s²].</summary>
         public float Stiffness { get; private set; }
 
-        /// <summary>Whether what wakes may be softer than what is awake.</summary>
+        /// <summary>Whether some may be softer or stiffer than the rest.</summary>
         public bool IsSoft { get; private set; }
 
         /// <summary>Takes over the square of the speed of sound.</summary>
@@ -81,7 +81,7 @@ namespace SphFluid
         public float TakeStiffness(float now)
         {
             float ratio = Stiffness > 0f ? Stiffness / now : 1f;
-            (Stiffness, IsSoft) = (now, IsSoft || ratio < 1f);
+            (Stiffness, IsSoft) = (now, IsSoft || ratio != 1f);
             return ratio;
         }
 

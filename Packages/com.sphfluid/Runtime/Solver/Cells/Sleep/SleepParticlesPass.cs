@@ -25,6 +25,7 @@ namespace SphFluid
         private const float StillUnits = 2f;
 
         private static readonly int SleptStiffness = Id("_SleptStiffness");
+        private static readonly int OfSleepers = Id("_OfSleepers");
 
         private readonly ComputeKernel wake, sum, mark, rest, soften, count, judge, spread;
 
@@ -35,7 +36,7 @@ namespace SphFluid
             sum = Kernel("SumBricks");
             mark = Kernel("MarkSleepers");
             rest = Kernel("RestSleepers");
-            soften = Kernel("SoftenWoken");
+            soften = Kernel("SoftenPressures");
             count = Kernel("CountSleepers");
             judge = Kernel("JudgeBricks");
             spread = Kernel("SpreadSleep");
@@ -75,7 +76,6 @@ namespace SphFluid
             FluidSolverSettings settings = state.Settings;
             using (Sample(cmd))
             {
-                Bind(cmd, rest, state);
                 CellBindings.SetCells(cmd, rest, state);
                 rest.SetFloat(cmd, RestDensity, settings.RestDensity);
                 CellBindings.SetSuction(cmd, rest, settings);
@@ -92,8 +92,11 @@ namespace SphFluid
             }
         }
 
-        /// <summary>Behind a density pass: what woke is as soft as it was asleep, and stiffens.</summary>
-        public void RecordSoftness(CommandBuffer cmd, CellState state)
+        /// <summary>Behind a density pass: what sleeps is as soft as when it fell asleep, and what woke stiffens.</summary>
+        /// <param name="cmd">Receives the pass.</param>
+        /// <param name="state">The liquid.</param>
+        /// <param name="hasRested">Whether <see cref="RecordRest"/> came before it.</param>
+        public void RecordSoftness(CommandBuffer cmd, CellState state, bool hasRested)
         {
             if (!state.Sleep.IsSoft) return;
             using (Sample(cmd))
@@ -103,7 +106,9 @@ namespace SphFluid
                 soften.SetOut(cmd, state.Buffers.PositionTerms);
                 soften.Set(cmd, state.List.Counts);
                 soften.Set(cmd, state.Published.Counters);
-                AwakeGroups.Dispatch(cmd, soften, state);
+                soften.SetInt(cmd, OfSleepers, hasRested ? 1 : 0);
+                if (hasRested) AwakeGroups.DispatchAll(cmd, soften, state);
+                else AwakeGroups.Dispatch(cmd, soften, state);
             }
         }
 
