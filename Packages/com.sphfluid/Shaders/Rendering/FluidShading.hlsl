@@ -105,6 +105,13 @@ float4 FluidClipOfLocal(float3 local, float3 worldOffset)
     return mul(unity_MatrixVP, float4(FluidWorldDirection(local) + worldOffset, 0.0)) + FluidClipPosition(FluidOrigin());
 }
 
+// Width of a pixel at a point [m]. height: of the picture, pixels.
+float FluidPixelWidth(float3 world, float height)
+{
+    float across = length(float3(unity_MatrixVP[1].x, unity_MatrixVP[1].y, unity_MatrixVP[1].z));
+    return 2.0 * FluidClipPosition(world).w / (across * max(height, 1.0));
+}
+
 // Moves a shadow caster away from the light, but never in front of the light's near plane.
 float4 FluidShadowClipPosition(float4 clipPosition)
 {

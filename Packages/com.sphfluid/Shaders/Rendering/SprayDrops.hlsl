@@ -54,13 +54,6 @@ float3 InBall(float3 random)
     return float3(flat * cos(angle), height, flat * sin(angle)) * pow(random.z, 1.0 / 3.0);
 }
 
-// Width of a pixel at a point [m]. height: of the picture, pixels.
-float PixelWidth(float3 world, float height)
-{
-    float across = length(float3(unity_MatrixVP[1].x, unity_MatrixVP[1].y, unity_MatrixVP[1].z));
-    return 2.0 * FluidClipPosition(world).w / (across * max(height, 1.0));
-}
-
 // Corners of two triangles: (-1,-1) (-1,1) (1,1) and (-1,-1) (1,1) (1,-1).
 float2 DropCorner(uint index)
 {
@@ -106,7 +99,7 @@ DropFragment ExpandDropFor(uint vertexId, float height)
     float2 seen = float2(dot(axis, right), dot(axis, up));
     float halfLength = 0.5 * length(seen);
     float2 along = halfLength > 1e-7 ? seen / (2.0 * halfLength) : float2(1.0, 0.0);
-    float drawn = max(radius, LEAST_RADIUS * PixelWidth(world, height));
+    float drawn = max(radius, LEAST_RADIUS * FluidPixelWidth(world, height));
     float cover = (isMist ? MIST_COVER : DROP_COVER / sqrt(1.0 + halfLength / drawn)) * (radius / drawn) * (isMist ? 1.0 : radius / drawn);
 
     float2 corner = DropCorner(vertexId % 6u) * float2(halfLength / drawn + 1.0, 1.0);

@@ -45,12 +45,6 @@ float2 SpotCorner(uint index)
     return index == 0u ? float2(0.0, 2.0) : float2(index == 1u ? 1.7320508 : -1.7320508, -1.0);
 }
 
-float SpotPixel(float3 world, float height)
-{
-    float across = length(float3(unity_MatrixVP[1].x, unity_MatrixVP[1].y, unity_MatrixVP[1].z));
-    return 2.0 * FluidClipPosition(world).w / (across * max(height, 1.0));
-}
-
 // How much of a piece belongs into the picture of the scene that water refracts: nothing behind the scene, and of what is not within the
 // water nothing before it. Bubbles fade before what they float close to: on it they would be spots of its own.
 float SeenThroughWater(float3 world, uint kind)
@@ -103,7 +97,7 @@ SpotFragment ExpandSpot(uint vertexId, bool behind)
     }
     radius *= _WhitewaterSpacing * _WhitewaterSize;
 
-    float pixel = SpotPixel(world, behind ? _FluidSceneHeight : _ScreenParams.y);
+    float pixel = FluidPixelWidth(world, behind ? _FluidSceneHeight : _ScreenParams.y);
     float drawn = max(radius, LEAST_RADIUS * pixel);
     float2 axis = float2(cos(6.2831853 * turn.x), sin(6.2831853 * turn.x));
     float3 along = normalize(abs(normal.y) < 0.9 ? cross(normal, float3(0.0, 1.0, 0.0)) : cross(normal, float3(1.0, 0.0, 0.0)));

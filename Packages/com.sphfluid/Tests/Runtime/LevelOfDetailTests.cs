@@ -218,6 +218,7 @@ namespace SphFluid.Tests
             yield return Frames(8);
             Assert.That(view.Recordings, Is.GreaterThan(made));
             Assert.That(view.Status.Triangles, Is.GreaterThan(1.5 * coarse));
+            Object.DestroyImmediate(unseen.sharedMaterial);
             Object.DestroyImmediate(mesh.gameObject);
             detail.Levels[0].CellFactor = 4f;
             Far(12f);
